@@ -81,11 +81,11 @@ std::string readableText(const MeshReport& report) {
   text += line("Duplicate triangles", std::to_string(report.duplicateFaces));
   if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
   if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
-  std::string volume =
-      report.volumeMm3 ? roundedText(*report.volumeMm3)
-                       : std::string("undefined, ") + (report.oneSidedPieces > 0 ? "the surface is one-sided"
-                                                       : report.closed           ? "neighbours disagree about the inside"
-                                                                                 : "the surface is open");
+  std::string volume = report.volumeMm3
+                           ? roundedText(*report.volumeMm3)
+                           : std::string("undefined, ") + (report.oneSidedPieces > 0 ? "the surface is one-sided"
+                                                           : report.closed ? "neighbours disagree about the inside"
+                                                                           : "the surface is open");
   if (report.volumeMm3 && std::isinf(*report.volumeMm3)) volume = "too large for a number";
   if (report.volumeMm3 && *report.volumeMm3 == 0.0 && report.box.sizes().minCoeff() > 0.0 &&
       report.box.sizes().prod() < std::numeric_limits<double>::min())

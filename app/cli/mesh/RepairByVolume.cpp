@@ -75,7 +75,8 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
          " mm of it, the farthest point at " + roundedText(std::abs(done.deviation.ofScan.farthest().distance), 3) +
          " mm." +
          (done.repair.keptDistance > kUnsaidDistance * done.voxel
-              ? " Of surfaces that bound material, the farthest is at " + roundedText(done.repair.keptDistance, 3) + " mm."
+              ? " Of surfaces that bound material, the farthest is at " + roundedText(done.repair.keptDistance, 3) +
+                    " mm."
               : std::string()) +
          (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel were lost: choose smaller voxels.\n"
                                                 : "\n") +

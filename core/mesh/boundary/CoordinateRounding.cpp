@@ -46,8 +46,8 @@ CoordinateSteps coordinateSteps(std::span<const Vec3> points) {
   for (const Vec3& p : points) box.extend(p);
   if (box.isEmpty()) return found;
   const Vec3 largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
-  const bool areFloats = std::all_of(points.begin(), points.end(),
-                                     [](const Vec3& p) { return p == rounded(p, NumberType::Float32); });
+  const bool areFloats =
+      std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p == rounded(p, NumberType::Float32); });
   for (int axis = 0; axis < 3; ++axis) {
     const double spacing = areFloats ? floatSpacing(largest[axis]) : decimalSpacing(points, axis);
     if (areFloats || spacing <= kGrid * box.diagonal().norm()) found.steps[axis] = kSlack * spacing;

@@ -76,8 +76,7 @@ void markOneSided(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops, co
     }
   }
   for (const BoundaryLoop* loop : found) disagreeing[shellAt(*loop)] += loop->length;
-  for (BoundaryLoop* loop : found)
-    loop->isSheetBoundary = disagreeing[shellAt(*loop)] > 0.5 * whole[shellAt(*loop)];
+  for (BoundaryLoop* loop : found) loop->isSheetBoundary = disagreeing[shellAt(*loop)] > 0.5 * whole[shellAt(*loop)];
 }
 
 }  // namespace

@@ -12,7 +12,9 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostComparedLoops = 2000;  // each is compared with each
-constexpr std::size_t kMostIslands = 100;         // in one hole; each bridge is a pass over the mesh
+// Steps of WorkBudget for the search structures of a patch.
+constexpr std::size_t kStepsPerFace = 2;
+constexpr std::size_t kMostIslands = 100;  // in one hole; each bridge is a pass over the mesh
 
 std::optional<BoundaryLoop> loopWith(const HalfEdgeMesh& mesh, HalfEdge h, Progress progress) {
   for (BoundaryLoop& loop : findBoundaryLoops(mesh, progress)) {
@@ -27,7 +29,9 @@ bool join(HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::vector<const Bounda
   std::stable_sort(islands.begin(), islands.end(),
                    [](const BoundaryLoop* a, const BoundaryLoop* b) { return a->length > b->length; });
   BoundaryLoop around = hole;
+  progress.spend(kStepsPerFace * mesh.faceSlots());
   for (const BoundaryLoop* island : islands) {
+    progress.spend(mesh.faceSlots());
     if (progress.cancelled() || !bridgeIsland(mesh, around, *island).done) return false;
     // The edges at the bridge are inner ones now; others of the hole stay.
     const auto stays =

@@ -19,7 +19,8 @@ struct IslandChoice {
 // Joins islands (findIslands()) to the holes in which they lie, so that one patch closes the hole around them. Each is
 // connected by a bridge of two triangles (bridgeIsland()). This is done only if the patch of the common loop is
 // possible; otherwise the hole stays as it is. loops must be all loops of the mesh; nothing is done for very many of
-// them. Returns the outer boundaries of the joined islands, as indices of loops. The result is incomplete if cancelled.
+// them. Each hole with islands takes O(n), which counts as effort. Returns the outer boundaries of the joined islands,
+// as indices of loops. The result is incomplete if cancelled.
 std::vector<std::size_t> joinIslands(HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops,
                                      const IslandChoice& choice, const FillOptions& options, Progress progress = {});
 

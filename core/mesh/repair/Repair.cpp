@@ -100,7 +100,10 @@ class Repairer {
       m_report.nonOrientableCuts += closeNonOrientable(m_mesh, m_options.fill, longest, BoundaryCuts::No,
                                                        progress.part(0.3, 0.35).within(effort));
     }
-    if (!progress.cancelled()) joinIslands(progress.part(0.35, 0.37).within(m_efforts.fill));
+    if (!progress.cancelled()) {
+      WorkBudget effort(m_efforts.fill.left() / 4, m_efforts.fill);
+      joinIslands(progress.part(0.35, 0.37).within(effort));
+    }
     if (!progress.cancelled()) fill(progress.part(0.37, 0.55));
     // Solids with a common wall touch there, and would be separated next.
     if (m_options.uniteSolids && m_round == 0 && !progress.cancelled()) {

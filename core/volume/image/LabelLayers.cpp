@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/image/LabelLayers.h"
 
+#include "volume/image/ImageLabels.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
 
 namespace handwheel {
 
-ImageFile imageOfLayers(const ImageGrid& grid, const ImageVolume& all, std::size_t layers, bool isInterleaved,
-                        std::vector<LayerSegment> segments) {
+std::optional<ImageFile> imageOfLayers(const ImageGrid& grid, const ImageVolume& all, std::size_t layers,
+                                       bool isInterleaved, std::vector<LayerSegment> segments) {
   const std::size_t count = grid.count();
   const auto sampleOf = [&](std::size_t layer, std::size_t i) {
     return all.value(isInterleaved ? i * layers + layer : layer * count + i);
@@ -20,8 +22,11 @@ ImageFile imageOfLayers(const ImageGrid& grid, const ImageVolume& all, std::size
   for (std::size_t i = 0; i < segments.size(); ++i) known.emplace(Key(segments[i].layer, segments[i].value), i);
   for (std::size_t layer = 0; layer < layers; ++layer)
     for (std::size_t i = 0; i < count; ++i)
-      if (const double value = sampleOf(layer, i); value != 0.0)
-        if (known.emplace(Key(layer, value), segments.size()).second) segments.push_back({value, layer});
+      if (const double value = sampleOf(layer, i); value != 0.0 && !known.contains(Key(layer, value))) {
+        if (segments.size() >= kMostLabels) return std::nullopt;
+        known.emplace(Key(layer, value), segments.size());
+        segments.push_back({value, layer});
+      }
   std::set<double> values;
   for (const LayerSegment& segment : segments) values.insert(segment.value);
   const bool keepValues = values.size() == segments.size();

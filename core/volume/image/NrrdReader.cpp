@@ -284,7 +284,9 @@ Result<ImageFile> layersOf(const NrrdFields& fields, const NrrdImage& image, std
   if (const Status checked = checkGrid(all.grid); !checked) return checked.error();
   const Result<ImageFile> read = samplesOf(fields, all, data);
   if (!read) return read.error();
-  return imageOfLayers(image.grid, read->image, layers, image.images == 1, std::move(segments));
+  std::optional<ImageFile> made =
+      imageOfLayers(image.grid, read->image, layers, image.images == 1, std::move(segments));
+  return made ? Result<ImageFile>(std::move(*made)) : samplesOf(fields, image, data);
 }
 
 // Reads the samples: those of labels in several layers, or of the first image.

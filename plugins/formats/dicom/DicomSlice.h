@@ -36,7 +36,7 @@ struct DicomSlice {
   std::array<double, 2> spacing{1, 1};  // distance of pixels along rows and columns, mm
   bool hasSpacing = true;               // false: the file does not state the distance of pixels
   bool hasPosition = true;              // false: the position is not known, or is that of the first frame of the file
-  double stated = 0.0;  // stated distance of slices, mm; 0: not stated
+  double stated = 0.0;                  // stated distance of slices, mm; 0: not stated
   double apart = 0.0;  // stated distance to the next slice along the normal, or thickness, mm; below 0: against it
   std::optional<double> location;                     // position along the normal from an unknown point, mm
   double number = 0.0;                                // order of slices without positions

@@ -131,9 +131,8 @@ void IslandJoiningTest::keptOpen() {
 // Many islands make the boundary as long as that of a frayed sheet.
 void IslandJoiningTest::manyIslands() {
   const int n = 8;
-  TriangleSoup plate = test::grid(4 * n + 3, 4 * n + 3, false, false, [](std::uint32_t i, std::uint32_t j) {
-    return Vec3(i, j, 1);
-  });
+  TriangleSoup plate =
+      test::grid(4 * n + 3, 4 * n + 3, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 1); });
   std::erase_if(plate.triangles, [&](const Triangle& t) {
     const Vec3 c = (plate.points[t[0]] + plate.points[t[1]] + plate.points[t[2]]) / 3.0;
     const auto isRim = [&](double x) { return x < 1.0 || x > 4 * n + 1.0; };
@@ -171,7 +170,7 @@ void IslandJoiningTest::flatPlateWithAnIsland() {
   QVERIFY(std::abs(test::volume(mesh.compact().soup) - 144.0) < 1e-6);
 }
 
-// Of two flat islands one is to stay open: the hole stays open, too, and nothing is removed.
+// One of two flat islands is to stay open: the hole stays open, too, and nothing is removed.
 void IslandJoiningTest::flatIslandKeptOpen() {
   TriangleSoup plate = test::grid(13, 13, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 1); });
   std::erase_if(plate.triangles, [&](const Triangle& t) {

@@ -71,9 +71,7 @@ class RoundedModelsTest : public QObject {
 
 // Spacing of floats: 2^-11 between 4096 and 8192, 2^-17 between 64 and 128.
 void RoundedModelsTest::rounding() {
-  const auto of = [](const std::vector<Vec3>& points) {
-    return coordinateSteps(points).reach();
-  };
+  const auto of = [](const std::vector<Vec3>& points) { return coordinateSteps(points).reach(); };
   const double expected = Vec3(std::ldexp(1.0, -17), 0.0, std::ldexp(1.0, -11)).norm();
   const double found = of({{100.0, 0.0, 5000.5}, {101.0, 0.0, 5000.0}, {100.0, 0.0, 5001.0}});
   QVERIFY2(found >= expected && found <= 1.02 * expected, qPrintable(QString::number(found)));
