@@ -28,14 +28,19 @@ bool hasDecimals(double v, int decimals) {
          std::abs(scaled - std::round(scaled)) <= 4.0 * std::numeric_limits<double>::epsilon() * scaled;
 }
 
-// Returns the distance of neighbouring numbers on an axis; 0 for integers and for numbers of full length.
-double decimalSpacing(std::span<const Vec3> points, int axis) {
-  int count = 0;
-  for (const Vec3& p : points) {
-    while (count <= kMostDecimals && !hasDecimals(p[axis], count)) ++count;
-    if (count > kMostDecimals) return 0.0;
+// Returns the distances of neighbouring numbers on the axes; 0 for integers. All are 0 if an axis has numbers of full
+// length, because a file rounds all axes.
+Vec3 decimalSpacings(std::span<const Vec3> points) {
+  Vec3 spacings = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    int count = 0;
+    for (const Vec3& p : points) {
+      while (count <= kMostDecimals && !hasDecimals(p[axis], count)) ++count;
+      if (count > kMostDecimals) return Vec3::Zero();
+    }
+    if (count > 0) spacings[axis] = std::pow(10.0, -count);
   }
-  return count > 0 ? std::pow(10.0, -count) : 0.0;
+  return spacings;
 }
 
 }  // namespace
@@ -48,10 +53,13 @@ CoordinateSteps coordinateSteps(std::span<const Vec3> points) {
   const Vec3 largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
   const bool areFloats =
       std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p == rounded(p, NumberType::Float32); });
-  for (int axis = 0; axis < 3; ++axis) {
-    const double spacing = areFloats ? floatSpacing(largest[axis]) : decimalSpacing(points, axis);
-    if (areFloats || spacing <= kGrid * box.diagonal().norm()) found.steps[axis] = kSlack * spacing;
+  if (areFloats) {
+    for (int axis = 0; axis < 3; ++axis) found.steps[axis] = kSlack * floatSpacing(largest[axis]);
+    return found;
   }
+  const Vec3 spacings = decimalSpacings(points);
+  for (int axis = 0; axis < 3; ++axis)
+    if (spacings[axis] <= kGrid * box.diagonal().norm()) found.steps[axis] = kSlack * spacings[axis];
   return found;
 }
 

@@ -13,7 +13,7 @@ namespace handwheel {
 // If all coordinates fit into floats, these are the units in the last place of the largest coordinate of each axis.
 // Otherwise they follow from the decimals of the file, for example 0.001 for survey coordinates like 5400000.125.
 // Decimals count only if they are small compared to the model, at most 1e-3 of its diagonal: a part drawn on a coarse
-// grid is not rounded to it. Axes whose coordinates have all digits of a double have the step 0.
+// grid is not rounded to it. The steps are 0 if coordinates have all digits of a double.
 struct CoordinateSteps {
   Vec3 steps = Vec3::Zero();
 

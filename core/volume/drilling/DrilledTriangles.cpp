@@ -52,11 +52,13 @@ SparseVolume::Content takenOf(const SparseVolume::Content& left, bool isAtEnd) {
   return {samples, false};
 }
 
-// A part as its voxels were made of it. What closes it comes last, and has tips that no other triangle has.
+// A part as its voxels were made of it. What closes it comes last: cones with tips that no other triangle has, and
+// lids of one triangle.
 struct ClosedPart {
   TriangleSoup soup;
   std::size_t closing = 0;  // triangles
   std::vector<Vec3> tips;
+  std::vector<TrianglePoints> lids;
 };
 
 ClosedPart closedAsForVoxels(const TriangleSoup& triangles, const SparseVolume& grid, Progress progress) {
@@ -71,23 +73,37 @@ ClosedPart closedAsForVoxels(const TriangleSoup& triangles, const SparseVolume& 
   closed.soup.points.insert(closed.soup.points.end(), closed.tips.begin(), closed.tips.end());
   closed.soup.triangles = std::move(inVoxels.triangles);
   closed.closing = closed.soup.triangles.size() - own;
+  for (std::size_t i = own; i < closed.soup.triangles.size(); ++i) {
+    const auto& [a, b, c] = closed.soup.triangles[i];
+    if (std::max({a, b, c}) < points)
+      closed.lids.push_back({closed.soup.points[a], closed.soup.points[b], closed.soup.points[c]});
+  }
   return closed;
 }
 
-// Returns how many of the first faces of a mesh have one of these corners, in the precision of the file.
-std::size_t facesAtTips(const HalfEdgeMesh& mesh, std::size_t faces, const std::vector<Vec3>& tips,
-                        NumberType numbers) {
-  std::set<std::array<double, 3>> positions;
-  for (const Vec3& tip : tips) {
-    const Vec3 p = rounded(tip, numbers);
-    positions.insert({p.x(), p.y(), p.z()});
-  }
+using Position = std::array<double, 3>;
+
+Position positionOf(const Vec3& p, NumberType numbers) {
+  const Vec3 q = rounded(p, numbers);
+  return {q.x(), q.y(), q.z()};
+}
+
+std::set<Position> positionsOf(const TrianglePoints& t, NumberType numbers) {
+  return {positionOf(t[0], numbers), positionOf(t[1], numbers), positionOf(t[2], numbers)};
+}
+
+// Returns how many of the first faces of a mesh close the part, in the precision of the file.
+std::size_t closingFaces(const HalfEdgeMesh& mesh, std::size_t faces, const ClosedPart& closed, NumberType numbers) {
+  if (closed.closing == 0) return 0;
+  std::set<Position> tips;
+  for (const Vec3& tip : closed.tips) tips.insert(positionOf(tip, numbers));
+  std::set<std::set<Position>> lids;
+  for (const TrianglePoints& lid : closed.lids) lids.insert(positionsOf(lid, numbers));
   std::size_t count = 0;
-  for (Face f = 0; f < faces && !positions.empty(); ++f) {
-    const TrianglePoints corners = mesh.points(f);
-    count += std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) {
-      return positions.contains({p.x(), p.y(), p.z()});
-    });
+  for (Face f = 0; f < faces; ++f) {
+    const std::set<Position> corners = positionsOf(mesh.points(f), numbers);
+    count += lids.contains(corners) ||
+             std::any_of(corners.begin(), corners.end(), [&](const Position& p) { return tips.contains(p); });
   }
   return count;
 }
@@ -127,7 +143,7 @@ DrilledTriangles drilledTriangles(const TriangleSoup& triangles, const HybridPar
     for (Vec3& p : head.points) p += part.left().voxel() * kJoinStep;
   }
   if (done.problem != SubtractionProblem::None) return done;
-  done.kept -= facesAtTips(done.mesh, done.kept, closed.tips, numbers);
+  done.kept -= closingFaces(done.mesh, done.kept, closed, numbers);
   done.closing = closed.closing;
   return done;
 }

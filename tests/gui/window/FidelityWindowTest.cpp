@@ -6,6 +6,7 @@
 #include "WindowTestMain.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "fidelity/Calibration.h"
 #include "fidelity/Cases.h"
 #include "mesh/measure/MeshFidelity.h"
 #include "plot/PlotWidget.h"
@@ -18,6 +19,7 @@
 #include <QDockWidget>
 #include <QSlider>
 #include <QTranslator>
+#include <filesystem>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -73,6 +75,9 @@ class FidelityWindowTest : public QObject {
   }
 
  private slots:
+  // A calibration that an interrupted test has left would scale the costs.
+  void initTestCase() { std::filesystem::remove(defaultCalibrationFile()); }
+
   // The rooms that describe settings know nothing of Qt: a text that nobody marked would stay English.
   void everySettingSpeaksGerman() {
     QTranslator german;
