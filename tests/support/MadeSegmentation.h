@@ -18,9 +18,10 @@ struct MadeSegmentation {
   Kind kind = Kind::Binary;
   std::vector<MadeSlice> slices = {};
   std::vector<MadeSegment> segments = {};
-  std::optional<double> between = {};  // SpacingBetweenSlices, mm
-  bool hasEmptyFrames = false;         // false: frames without a sample of their segment are left out
-  int fractions = 255;                 // MaximumFractionalValue
+  std::optional<double> between = {};    // SpacingBetweenSlices, mm
+  std::optional<double> thickness = {};  // SliceThickness, mm
+  bool hasEmptyFrames = false;           // false: frames without a sample of their segment are left out
+  int fractions = 255;                   // MaximumFractionalValue
 };
 
 inline std::string dicomOf(const MadeSegmentation& made) {
@@ -80,6 +81,7 @@ inline std::string dicomOf(const MadeSegmentation& made) {
   gdcm::DataSet measures, turn, shared;
   putNumbers(measures, {0x0028, 0x0030}, {first.downSpacing.value_or(first.spacing), first.spacing});
   if (made.between) putNumbers(measures, {0x0018, 0x0088}, {*made.between});
+  if (made.thickness) putNumbers(measures, {0x0018, 0x0050}, {*made.thickness});
   putOrientation(turn, first);
   putItems(shared, {0x0028, 0x9110}, {measures});
   putItems(shared, {0x0020, 0x9116}, {turn});

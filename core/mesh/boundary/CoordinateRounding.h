@@ -13,7 +13,8 @@ namespace handwheel {
 // If all coordinates fit into floats, these are the units in the last place of the largest coordinate of each axis.
 // Otherwise they follow from the decimals of the file, for example 0.001 for survey coordinates like 5400000.125.
 // Decimals count only if they are small compared to the model, at most 1e-3 of its diagonal: a part drawn on a coarse
-// grid is not rounded to it. The steps are 0 if coordinates have all digits of a double.
+// grid is not rounded to it. The steps are 0 if coordinates have all digits of a double, and
+// if they end in fewer than four different digits, as those of a grid of halves do.
 struct CoordinateSteps {
   Vec3 steps = Vec3::Zero();
 

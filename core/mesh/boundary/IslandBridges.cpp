@@ -48,14 +48,14 @@ std::vector<RankedPair> nearestPairs(const HalfEdgeMesh& mesh, const BoundaryLoo
 
 }  // namespace
 
-IslandBridge bridgeIsland(HalfEdgeMesh& mesh, const BoundaryLoop& hole, const BoundaryLoop& island) {
+bool bridgeIsland(HalfEdgeMesh& mesh, const BoundaryLoop& hole, const BoundaryLoop& island) {
   HalfEdgeMesh trial = mesh;
   BoundaryLoop inner = island;
   // The boundaries of a hole and of its island run in opposite directions.
   if (areaVector(mesh, hole).dot(areaVector(mesh, island)) > 0.0) {
     const Face seed = HalfEdgeMesh::face(island.halfEdges.front());
     const auto piece = connectedFaces(trial, {&seed, 1}, {});
-    if (!piece) return {};
+    if (!piece) return false;
     reverseShells(trial, piece->faces());
     for (HalfEdge& h : inner.halfEdges) h = reversedHalfEdge(h);
     std::reverse(inner.halfEdges.begin(), inner.halfEdges.end());
@@ -67,9 +67,9 @@ IslandBridge bridgeIsland(HalfEdgeMesh& mesh, const BoundaryLoop& hole, const Bo
     const Bridge bridge = findBridge(near, pair.ends);
     if (bridge.problem != JoinProblem::None || addFaces(trial, bridge.triangles, near) != JoinProblem::None) continue;
     mesh = std::move(trial);
-    return {true, bridge.triangles.size()};
+    return true;
   }
-  return {};
+  return false;
 }
 
 }  // namespace handwheel

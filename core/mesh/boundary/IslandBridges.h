@@ -9,16 +9,11 @@
 
 namespace handwheel {
 
-// The result of bridgeIsland().
-struct IslandBridge {
-  bool done = false;  // false: the mesh is unchanged, because every bridge that was tried is obstructed
-  std::size_t newFaces = 0;
-};
-
-// Connects an island with the hole around it by two triangles (findBridge()), so that both become one loop. Among the
+// Connects an island with the hole around it by two triangles (findBridge()). Both become one loop. Among the
 // nearest pairs of points, the first whose bridge is not obstructed is taken. An island whose faces look the other
 // direction is reversed. hole and island must be loops of this mesh; island is the outer boundary of an open piece.
-// O(n), and O(h k) for loops of h and k edges.
-IslandBridge bridgeIsland(HalfEdgeMesh& mesh, const BoundaryLoop& hole, const BoundaryLoop& island);
+// Returns false, and leaves the mesh unchanged, if every bridge that was tried is obstructed. O(n), and O(h k) for
+// loops of h and k edges.
+bool bridgeIsland(HalfEdgeMesh& mesh, const BoundaryLoop& hole, const BoundaryLoop& island);
 
 }  // namespace handwheel

@@ -32,7 +32,7 @@ bool join(HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::vector<const Bounda
   progress.spend(kStepsPerFace * mesh.faceSlots());
   for (const BoundaryLoop* island : islands) {
     progress.spend(mesh.faceSlots());
-    if (progress.cancelled() || !bridgeIsland(mesh, around, *island).done) return false;
+    if (progress.cancelled() || !bridgeIsland(mesh, around, *island)) return false;
     // The edges at the bridge are inner ones now; others of the hole stay.
     const auto stays =
         std::find_if(hole.halfEdges.begin(), hole.halfEdges.end(), [&](HalfEdge h) { return mesh.isBorder(h); });

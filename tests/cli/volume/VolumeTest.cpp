@@ -271,6 +271,19 @@ class VolumeTest : public QObject {
     QVERIFY(figures["kept_distance_mm"].get<double>() <= 1.0);
   }
 
+  // A file may have triangles that are turned round, half of them, too: the volume is that of the cube.
+  void repairOfTurnedTriangles() {
+    const Fixture fixture;
+    for (const std::size_t turned : {1u, 2u, 6u, 11u}) {
+      Shape shape = cube(20.0);
+      for (std::size_t i = 0; i < turned; ++i) std::swap(shape.faces[i][0], shape.faces[i][1]);
+      fixture.put("a.off", shape.off());
+      const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "1"});
+      QCOMPARE(ran.code, 0);
+      QVERIFY(std::abs(fixture.inspected("b.stl")["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.02);
+    }
+  }
+
   // A volume, too: the block comes back of its distances.
   void repairOfVolumes() {
     const Fixture fixture;

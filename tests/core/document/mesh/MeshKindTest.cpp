@@ -221,7 +221,7 @@ class MeshKindTest : public QObject {
   void filesAreInspectedWithTheNearWeldChosen() {
     TriangleSoup soup = grid(4);
     const std::size_t half = soup.points.size();
-    for (std::size_t i = 0; i < half; ++i) soup.points.push_back(soup.points[i] + Vec3(4.0 + 1.1e-3, 0, 0));
+    for (std::size_t i = 0; i < half; ++i) soup.points.push_back(soup.points[i] + Vec3(4.0 + 1e-3, 0, 0));
     for (std::size_t i = 0; i < half; ++i) soup.points[i].z() = soup.points[half + i].z() = 0.0;
     for (std::size_t f = 0; f < 32; ++f) {
       const auto shift = static_cast<std::uint32_t>(half);

@@ -79,10 +79,13 @@ void RoundedModelsTest::rounding() {
       of({{500000.125, 5400000.37, 100.2}, {500010.001, 5400000.0, 101.0}, {500000.0, 5400010.0, 99}});
   const double twoAxes = Vec3(1e-3, 1e-2, 0.0).norm();  // 0.1 is not small compared to a diagonal of 14
   QVERIFY2(survey >= twoAxes && survey <= 1.02 * twoAxes, qPrintable(QString::number(survey)));
-  const double fine = of({{500000.125, 5400000.37, 100.25}, {500010.0, 5400000.0, 101.0}, {500000.0, 5400010.0, 99}});
+  const double fine =
+      of({{500000.125, 5400000.37, 100.25}, {500010.003, 5400000.02, 101.11}, {500000.0, 5400010.0, 99}});
   const double mixed = Vec3(1e-3, 1e-2, 1e-2).norm();
   QVERIFY2(fine >= mixed && fine <= 1.02 * mixed, qPrintable(QString::number(fine)));
   QCOMPARE(of({{std::sqrt(2.0), std::sqrt(3.0), 0.0}, {1.0, 0.1, 0.0}, {0.0, 1.0, 0.3}}), 0.0);
+  // The last digits are 0, 1 and 5 only: a drawing on a grid, shifted.
+  QCOMPARE(of({{500000.125, 0.0, 7.5}, {500010.0, 4.001, 8.0}, {500000.0, 8.001, 99.0}}), 0.0);
   QCOMPARE(coordinateSteps(HalfEdgeMesh()).reach(), 0.0);
 }
 

@@ -113,6 +113,11 @@ class DicomSegmentationTest : public QObject {
   void sparse() {
     MadeSegmentation made{.slices = slicesOf(Eigen::Matrix3d::Identity()), .segments = segmentsOfPhantom()};
     QCOMPARE(problemOf(readAlone(dicomOf(made))), QByteArray());
+    // Slices may be thinner than their distance.
+    for (const double share : {0.25, 0.5, 1.0}) {
+      made.thickness = share * kBetween;
+      QCOMPARE(problemOf(readAlone(dicomOf(made))), QByteArray());
+    }
     // Only two slices have any sample; the stated distance is that between slices, not that of the two.
     made.segments = {{"bar to the left",
                       [](const Vec3& p) {

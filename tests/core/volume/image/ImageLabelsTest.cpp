@@ -158,6 +158,22 @@ class ImageLabelsTest : public QObject {
       QCOMPARE(regionsOf(read->image)[2].volume, 3 * 30.0);  // three samples of 30 mm³
     }
   }
+
+  // 80 × 80 samples of which each has a value of its own are no labels; the first layer is read as an image.
+  void tooManyValuesOfLayers() {
+    std::string file =
+        "NRRD0004\ntype: ushort\ndimension: 4\nspace: left-posterior-superior\nencoding: raw\nendian: little\n"
+        "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=a\n"
+        "sizes: 80 80 1 2\nspace directions: (1,0,0) (0,1,0) (0,0,1) none\nkinds: domain domain domain list\n\n";
+    for (int layer = 0; layer < 2; ++layer)
+      for (int i = 0; i < 80 * 80; ++i) file += {static_cast<char>(i & 0xff), static_cast<char>(i >> 8)};
+    const Result<ImageFile> read = readNrrd(file, {});
+    QVERIFY(read.hasValue());
+    QVERIFY(!read->hasLabels);
+    const std::vector<double> values = valuesIn(read->image);
+    QCOMPARE(values.size(), std::size_t{80 * 80});
+    for (std::size_t i = 0; i < values.size(); ++i) QCOMPARE(values[i], static_cast<double>(i));
+  }
 };
 
 HANDWHEEL_TEST(ImageLabelsTest)

@@ -131,6 +131,18 @@ class NiftiReaderTest : public QObject {
     }
   }
 
+  // A half turn about (1, 0, -1): b = -d = sqrt(1/2) in single precision, whose squares add up to less than 1. It takes
+  // x to -z, y to -y and z to -x.
+  void halfTurn() {
+    const auto part = static_cast<float>(std::sqrt(0.5));
+    NiftiBytes bytes = small();
+    bytes.put<std::int16_t>(252, 1).put(256, part).put(264, -part).put(268, 7.0f).put(76, 1.0f);
+    const Result<ImageFile> file = readNifti(bytes.samples(4, kNiftiSamples).bytes());
+    QVERIFY(file.hasValue());
+    // (x, y, z) there is (7 - 4 k, -2 j, -0.5 i).
+    QVERIFY((file->image.grid().position({100, 200, 100}) - Vec3(393.0, 400.0, -50.0)).norm() < 1e-9);
+  }
+
   void inTime() {
     const Result<ImageFile> file =
         readNifti(NiftiBytes().size({2, 1, 1, 3}).spacing(1, 1, 1).samples(4, kNiftiSamples).bytes());
