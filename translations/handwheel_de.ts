@@ -5828,6 +5828,10 @@
         <source>Gaps are narrower than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the narrowest %4 mm at (%5): they are not exact. Voxels of half the width keep a gap.</source>
         <translation>Spalte sind schmaler als zwei Voxel (%1 mm), an %2 % der Fläche (%3 mm²), der schmalste %4 mm bei (%5): Sie sind nicht genau. Voxel von halber Breite erhalten einen Spalt.</translation>
     </message>
+    <message>
+        <source>This file has the surface of an earlier segment. To write that of the current segment, press “Make surface” and save again.</source>
+        <translation>Diese Datei enthält die Oberfläche eines früheren Segments. Für die des aktuellen Segments „Oberfläche erzeugen“ drücken und erneut speichern.</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -17771,6 +17775,10 @@
     <message>
         <source>All labels</source>
         <translation>Alle Labels</translation>
+    </message>
+    <message>
+        <source>The volume was made from an earlier segment.</source>
+        <translation>Das Volumen stammt von einem früheren Segment.</translation>
     </message>
 </context>
 <context>

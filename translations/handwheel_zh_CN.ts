@@ -5828,6 +5828,10 @@
         <source>Gaps are narrower than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the narrowest %4 mm at (%5): they are not exact. Voxels of half the width keep a gap.</source>
         <translation>有间隙窄于两个体素（%1 mm），占表面的 %2 %（%3 mm²），最窄处 %4 mm，位于 (%5)：它们不精确。体素为宽度的一半即可保留间隙。</translation>
     </message>
+    <message>
+        <source>This file has the surface of an earlier segment. To write that of the current segment, press “Make surface” and save again.</source>
+        <translation>此文件包含先前分割的表面。要写入当前分割的表面，请按“生成表面”后重新保存。</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -17653,6 +17657,10 @@
     <message>
         <source>All labels</source>
         <translation>所有标签</translation>
+    </message>
+    <message>
+        <source>The volume was made from an earlier segment.</source>
+        <translation>该体积由先前的分割生成。</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,7 @@
 namespace handwheel {
 namespace {
 
+constexpr const char* kIsOlder = "older_than_segment";
 constexpr const char *kVdbEnding = ".vdb", *kNrrdEnding = ".nrrd";
 
 const VolumeSnapshot& volumeOf(const Snapshot& content) {
@@ -41,6 +42,16 @@ bool hasEnding(const std::filesystem::path& path, const char* ending) {
 Result<std::string> nrrdBytes(const SparseVolume& volume) {
   const Result<ImageVolume> distances = distancesOf(volume);
   return distances ? Result<std::string>(nrrdOf(*distances, kSignedDistance)) : distances.error();
+}
+
+// Adds a warning if the user has chosen another segment, but not yet made its surface.
+void warnOfOlder(const VolumeSnapshot& volume, std::vector<Note>& notes) {
+  if (!volume.isOlderThanSegment()) return;
+  notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                     "This file has the surface of an earlier segment. To write that of the current "
+                                     "segment, press “Make surface” and save again."),
+                   {},
+                   true});
 }
 
 // Returns notes on the content of a volume that a file of voxels alone does not keep.
@@ -58,11 +69,12 @@ std::vector<Note> notesOnVoxels(const VolumeSnapshot& volume) {
 }
 
 // A lost range is replaced by the one for the image alone.
-void takeScan(std::optional<StoredScan> stored, VolumeSnapshot& snapshot) {
+void takeScan(std::optional<StoredScan> stored, bool isOlder, VolumeSnapshot& snapshot) {
   if (!stored) return;
   ImageHistogram histogram = histogramOf(stored->image);
   snapshot.segment = stored->segment ? std::move(*stored->segment)
                                      : Segment({otsuThreshold(histogram), std::numeric_limits<double>::infinity()});
+  snapshot.madeFrom = isOlder ? std::nullopt : std::optional(snapshot.segment);
   snapshot.scan = std::make_shared<const Scan>(Scan{std::move(stored->image), std::move(histogram)});
 }
 
@@ -117,6 +129,7 @@ Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::fil
     if (const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0)); !written)
       return written.error();
     std::vector<Note> lost = notesOnVoxels(volumeOf(content));
+    warnOfOlder(volumeOf(content), lost);
     const bool isExport = !lost.empty();
     return WrittenFile{bytes->size(), std::move(lost), isExport};
   }
@@ -125,7 +138,9 @@ Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::fil
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.4, 1.0));
   if (!report) return report.error();
-  return WrittenFile{report->bytes, notesOn(*report), true};
+  std::vector<Note> notes = notesOn(*report);
+  warnOfOlder(volumeOf(content), notes);
+  return WrittenFile{report->bytes, std::move(notes), true};
 }
 
 void VolumeKind::save(const Snapshot& content, Container& container) const {
@@ -137,7 +152,10 @@ void VolumeKind::save(const Snapshot& content, Container& container) const {
   if (const auto& layers = volumeOf(content).layers) writeLayers(*layers, volumeOf(content).volume, container);
   writeHoles(volumeOf(content).holes, container);
   if (const auto& tried = volumeOf(content).tried) writeTried(*tried, container);
-  if (const auto& scan = volumeOf(content).scan) writeScan(scan->image, volumeOf(content).segment, container);
+  if (const auto& scan = volumeOf(content).scan) {
+    writeScan(scan->image, volumeOf(content).segment, container);
+    (*container.manifest)["document"][kIsOlder] = volumeOf(content).isOlderThanSegment();
+  }
 }
 
 Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector<Error>& damage,
@@ -153,7 +171,8 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   snapshot->layers = readLayers(container, snapshot->volume, damage);
   snapshot->holes = readHoles(container, damage);
   snapshot->tried = readTried(container, damage);
-  takeScan(readScan(container, damage, progress.part(0.0, 0.2)), *snapshot);
+  const nlohmann::json isOlder = (*container.manifest)["document"].value(kIsOlder, nlohmann::json());
+  takeScan(readScan(container, damage, progress.part(0.0, 0.2)), isOlder == true, *snapshot);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return SnapshotPointer(std::move(snapshot));
 }

@@ -104,6 +104,7 @@ Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& vol
   snapshot->surface = VolumeSurface(volume, progress, pieceCells);
   snapshot->source = source;
   if (scan) snapshot->segment = segment;
+  snapshot->madeFrom = snapshot->segment;
   snapshot->scan = std::move(scan);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return std::shared_ptr<const VolumeSnapshot>(std::move(snapshot));

@@ -12,6 +12,7 @@
 #include "volume/surface/VolumeSurface.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace handwheel {
@@ -31,9 +32,14 @@ struct VolumeSnapshot : Snapshot {
   std::string source;                // file from which the volume was made, UTF-8; empty: none
   std::shared_ptr<const Scan> scan;  // image from which the volume was made; null: none
   Segment segment;                   // segment of the scan
+  // Segment that the volume was made from, whatever was done to the volume since; none: an unknown earlier one.
+  std::optional<Segment> madeFrom = Segment();
   DrilledHoles holes;
   // Holes that were drilled in an exercise; null: none. Undo does not remove them.
   std::shared_ptr<const TriedHoles> tried;
+
+  // Returns true if the segment of the scan was changed after the volume was made from it.
+  bool isOlderThanSegment() const { return scan && madeFrom != segment; }
 };
 
 }  // namespace handwheel

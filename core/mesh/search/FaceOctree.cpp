@@ -46,12 +46,8 @@ FaceOctree::Cell FaceOctree::wholeOf(const Cell& part) {
   return {part[0] >> 1, part[1] >> 1, part[2] >> 1};
 }
 
-FaceOctree::Cell FaceOctree::partOf(const Cell& whole, unsigned child) {
-  return {2 * whole[0] + (child & 1), 2 * whole[1] + (child >> 1 & 1), 2 * whole[2] + (child >> 2 & 1)};
-}
-
-std::uint8_t FaceOctree::bitOf(const Cell& part) {
-  return static_cast<std::uint8_t>(1u << ((part[0] & 1) | (part[1] & 1) << 1 | (part[2] & 1) << 2));
+std::size_t FaceOctree::numberOf(const Cell& part) {
+  return static_cast<std::size_t>((part[0] & 1) | (part[1] & 1) << 1 | (part[2] & 1) << 2);
 }
 
 // Makes a level the largest if none is as large.
@@ -59,18 +55,19 @@ void FaceOctree::raiseTo(int level) {
   if (m_levels.empty()) m_levels[level];
   for (int top = m_levels.rbegin()->first; top < level; ++top) {
     Cells& above = m_levels[top + 1];
-    for (const auto& [cell, node] : m_levels[top]) above[wholeOf(cell)].children |= bitOf(cell);
+    for (const auto& [cell, node] : m_levels[top]) above[wholeOf(cell)].parts[numberOf(cell)] = &node;
   }
 }
 
 // Marks a new cell in its ancestors.
-void FaceOctree::tellAbove(int level, Cell cell) {
+void FaceOctree::tellAbove(int level, Cell cell, const Node* node) {
   bool isNew = true;
   for (const int top = m_levels.rbegin()->first; isNew && level < top; ++level) {
-    const std::uint8_t bit = bitOf(cell);
+    const std::size_t number = numberOf(cell);
     cell = wholeOf(cell);
     const auto [above, wasMissing] = m_levels[level + 1].try_emplace(cell);
-    above->second.children |= bit;
+    above->second.parts[number] = node;
+    node = &above->second;
     isNew = wasMissing;
   }
 }
@@ -81,7 +78,7 @@ void FaceOctree::add(Face f, const Box& box) {
   const Cell cell = cellOf(box.min(), level);
   const auto [entry, isNew] = m_levels[level].try_emplace(cell);
   entry->second.faces.push_back(f);
-  if (isNew) tellAbove(level, cell);
+  if (isNew) tellAbove(level, cell, &entry->second);
 }
 
 void FaceOctree::remove(Face f, const Box& box) {
@@ -96,13 +93,13 @@ void FaceOctree::remove(Face f, const Box& box) {
   if (entry == faces.end()) return;
   *entry = faces.back();
   faces.pop_back();
-  while (found->second.faces.empty() && found->second.children == 0) {
+  while (found->second.faces.empty() && !found->second.hasParts()) {
     cells->second.erase(found);
     if (++cells == m_levels.end()) return;
-    const auto others = static_cast<std::uint8_t>(~bitOf(cell));
+    const std::size_t number = numberOf(cell);
     cell = wholeOf(cell);
     found = cells->second.find(cell);
-    found->second.children &= others;
+    found->second.parts[number] = nullptr;
   }
 }
 

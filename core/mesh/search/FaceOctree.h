@@ -51,8 +51,9 @@ class FaceOctree {
     }
   };
   struct Node {
-    std::vector<Face> faces;    // faces stored in the cell
-    std::uint8_t children = 0;  // one bit for each of the cell's eight parts, set if the part exists
+    std::vector<Face> faces;             // faces stored in the cell
+    std::array<const Node*, 8> parts{};  // parts in the cells below, by their numbers; null: none
+    bool hasParts() const { return parts != decltype(parts){}; }
   };
   using Cells = std::unordered_map<Cell, Node, Hash>;
   using Levels = std::map<int, Cells>;
@@ -85,14 +86,14 @@ class FaceOctree {
     bool down(Levels::const_iterator level, std::size_t depth, const Cell& cell, const Node& node) {
       for (const Face f : node.faces)
         if (!visit(f)) return false;
-      if (node.children == 0) return true;
+      if (!node.hasParts()) return true;
       const auto below = std::prev(level);
       if (ranges.size() == depth + 1) ranges.push_back(rangeOf(box, below->first));
       const Range range = ranges[depth + 1];
-      for (unsigned child = 0; child < 8; ++child) {
-        if ((node.children >> child & 1u) == 0) continue;
-        const Cell part = partOf(cell, child);
-        if (range.contains(part) && !down(below, depth + 1, part, below->second.find(part)->second)) return false;
+      for (unsigned number = 0; number < 8; ++number) {
+        if (!node.parts[number]) continue;
+        const Cell part = partOf(cell, number);
+        if (range.contains(part) && !down(below, depth + 1, part, *node.parts[number])) return false;
       }
       return true;
     }
@@ -103,12 +104,16 @@ class FaceOctree {
   // Returns the cells of a level that can contain the lowest corner of a face near the box.
   static Range rangeOf(const Box& box, int level);
   static Cell wholeOf(const Cell& part);
-  static Cell partOf(const Cell& whole, unsigned child);
-  static std::uint8_t bitOf(const Cell& part);
+  static Cell partOf(const Cell& whole, unsigned number) {
+    return {2 * whole[0] + (number & 1), 2 * whole[1] + (number >> 1 & 1), 2 * whole[2] + (number >> 2 & 1)};
+  }
+  // Returns the number of a part in the cell above.
+  static std::size_t numberOf(const Cell& part);
 
   void raiseTo(int level);
-  void tellAbove(int level, Cell cell);
+  void tellAbove(int level, Cell cell, const Node* node);
 
+  // The nodes of a level stay in place while others are added and removed.
   // The levels by the exponent of their cell size. The ancestors of each cell exist in all levels up to the largest.
   Levels m_levels;
 };

@@ -13,6 +13,8 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <mutex>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,7 @@ constexpr double kPartBudget = 4e6;        // shared by the faces according to t
 constexpr double kPartBudgetOfFace = 256;  // beside that share
 constexpr double kFineEnough = 1e-12;      // share of the coordinates below which a distance is not resolved
 constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kWidest = 2.0;  // extent of a part beyond which it is halved, in longest edges of its nearest triangle
 
 double largestCoordinate(const SurfaceDistance& surface) {
@@ -39,6 +42,13 @@ Vec3 middleOf(const Part& part) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& p : part) sum += p - part[0];
   return part[0] + sum / static_cast<double>(part.size());
+}
+
+// Returns the largest distance of a part from a triangle: that of a corner, as the distance is a convex function.
+double farthestOf(const Part& part, const TrianglePoints& t) {
+  double farthest = 0.0;
+  for (const Vec3& p : part) farthest = std::max(farthest, (closestOnTriangle(p, t[0], t[1], t[2]) - p).norm());
+  return farthest;
 }
 
 // Cuts a part by the plane through a point. Returns false, and cuts nothing, if all corners are on one side of it.
@@ -62,13 +72,29 @@ bool cut(const Part& part, const Vec3& point, const Vec3& normal, double toleran
   return isBehind && isBefore;
 }
 
+// The constants of the bounds of all faces of a surface.
+struct Search {
+  const TriangleHierarchy& of;
+  double found;      // distance of a point of either surface
+  double limit;      // distance beyond which a face needs no bound
+  double tolerance;  // mm
+};
+
 // The bound for one face after another. Each thread has its own.
 class FaceBound {
  public:
-  FaceBound(const TriangleHierarchy& of, double found, double tolerance, const Progress& progress)
-      : m_of(of), m_found(found), m_tolerance(tolerance), m_progress(progress) {}
+  FaceBound(const Search& search, const Progress& progress)
+      : m_of(search.of),
+        m_found(search.found),
+        m_limit(search.limit),
+        m_tolerance(search.tolerance),
+        m_progress(progress) {}
 
-  // Returns the bound of the distances of a face. If it takes too many parts, it starts again with more slack.
+  // Points beyond the limit, at most one of each face.
+  const std::vector<Vec3>& beyond() const { return m_beyond; }
+
+  // Returns the bound of the distances of a face. It is infinite if a point is beyond the limit. If it takes too many
+  // parts, it starts again with more slack.
   double boundOf(const TrianglePoints& face, double mostParts) {
     double found = m_found;
     for (double slack = kLargestDistanceSlack;; slack *= 4.0) {
@@ -85,19 +111,29 @@ class FaceBound {
       if (++parts > mostParts) return std::nullopt;
       const Part part = std::move(m_stack.back());
       m_stack.pop_back();
+      const auto nearEnough = [&] {
+        return std::max((1.0 + slack) * found, slack / kLargestDistanceSlack * m_tolerance);
+      };
+      // Successive parts are often near the same triangle.
+      if (const auto known = m_last ? farthestOf(part, m_of.corners(*m_last)) : kUnknown; known <= nearEnough()) {
+        bound = std::max(bound, known);
+        continue;
+      }
       const Vec3 middle = middleOf(part);
       const auto nearest = m_of.nearest(middle);
       if (!nearest) continue;
+      m_last = nearest->triangle;
       const auto corners = m_of.corners(nearest->triangle);
       const double distance = (nearest->point - middle).norm();
-      double reach = 0.0, farthest = 0.0;
-      for (const Vec3& p : part) {
-        reach = std::max(reach, (p - middle).norm());
-        farthest = std::max(farthest, (closestOnTriangle(p, corners[0], corners[1], corners[2]) - p).norm());
+      if (distance > m_limit) {
+        m_beyond.push_back(middle);
+        return kUnknown;
       }
+      double reach = 0.0;
+      for (const Vec3& p : part) reach = std::max(reach, (p - middle).norm());
       found = std::max(found, distance);
-      const double least = std::min(farthest, distance + reach);
-      if (least <= std::max((1.0 + slack) * found, slack / kLargestDistanceSlack * m_tolerance)) {
+      const double least = std::min(farthestOf(part, corners), distance + reach);
+      if (least <= nearEnough()) {
         bound = std::max(bound, least);
       } else if (!cutAlong(part, corners, reach)) {
         halve(part, middle);
@@ -138,10 +174,11 @@ class FaceBound {
   }
 
   const TriangleHierarchy& m_of;
-  double m_found;      // distance of a point of either surface
-  double m_tolerance;  // mm
+  double m_found, m_limit, m_tolerance;
   const Progress& m_progress;
   std::vector<Part> m_stack;
+  std::vector<Vec3> m_beyond;
+  std::optional<std::uint32_t> m_last;  // triangle that was nearest to the last part for which it was searched
   std::size_t m_looked = 0;
 };
 
@@ -162,11 +199,12 @@ double largestOf(std::size_t n, const Progress& progress, const std::function<do
 }
 
 // Returns the largest distance of the corners and the middles of faces.
-double largestFound(const SurfaceDistance& surface, const SurfaceDistance& of, const Progress& progress) {
-  return largestOf(surface.faces().size(), progress, [&](const Range& range) {
+double largestFound(const SurfaceDistance& surface, const std::vector<std::uint32_t>& faces, const SurfaceDistance& of,
+                    const Progress& progress) {
+  return largestOf(faces.size(), progress, [&](const Range& range) {
     double largest = 0.0;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const TrianglePoints t = surface.mesh().points(surface.faces()[i]);
+      const TrianglePoints t = surface.mesh().points(surface.faces()[faces[i]]);
       for (const Vec3& p : {t[0], t[1], t[2], Vec3((t[0] + t[1] + t[2]) / 3.0)}) {
         // A nearer point changes nothing, and most are nearer.
         if (largest > 0.0 && of.hierarchy().isWithin(p, largest)) continue;
@@ -177,39 +215,76 @@ double largestFound(const SurfaceDistance& surface, const SurfaceDistance& of, c
   });
 }
 
-double boundFrom(const SurfaceDistance& surface, const SurfaceDistance& of, double found, const Progress& progress) {
-  const std::vector<Face>& faces = surface.faces();
+// Returns the numbers of the faces to be tested (proveWithin()).
+std::vector<std::uint32_t> facesIn(const SurfaceDistance& surface, std::span<const Box> regions) {
+  std::vector<std::uint32_t> faces(regions.empty() ? surface.faces().size() : 0);
+  std::iota(faces.begin(), faces.end(), 0u);
+  for (const Box& region : regions) {
+    surface.hierarchy().forEachInBox(region, [&](std::uint32_t face) {
+      faces.push_back(face);
+      return true;
+    });
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+// Returns the proof for some faces of a surface.
+DistanceProof proofOf(const SurfaceDistance& surface, const std::vector<std::uint32_t>& faces, const Search& search,
+                      const Progress& progress) {
+  const auto pointsOf = [&](std::size_t i) { return surface.mesh().points(surface.faces()[faces[i]]); };
   double area = 0.0;
-  for (const Face f : faces) area += handwheel::areaOf(surface.mesh().points(f));
-  const double tolerance = kFineEnough * std::max(largestCoordinate(surface), largestCoordinate(of));
-  return largestOf(faces.size(), progress, [&](const Range& range) {
-    FaceBound bound(of.hierarchy(), found, tolerance, progress);
+  for (std::size_t i = 0; i < faces.size(); ++i) area += handwheel::areaOf(pointsOf(i));
+  DistanceProof proof;
+  std::mutex mutex;
+  proof.bound = largestOf(faces.size(), progress, [&](const Range& range) {
+    FaceBound face(search, progress);
     double largest = 0.0;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const TrianglePoints t = surface.mesh().points(faces[i]);
+      const TrianglePoints t = pointsOf(i);
       const double share = area > 0.0 ? handwheel::areaOf(t) / area : 0.0;
-      largest = std::max(largest, bound.boundOf(t, kPartBudgetOfFace + kPartBudget * share));
+      const double bound = face.boundOf(t, kPartBudgetOfFace + kPartBudget * share);
+      if (bound != kUnknown) largest = std::max(largest, bound);
     }
+    const std::scoped_lock lock(mutex);
+    proof.beyond.insert(proof.beyond.end(), face.beyond().begin(), face.beyond().end());
     return largest;
   });
+  return proof;
 }
 
 }  // namespace
 
 std::optional<double> largestDistance(const SurfaceDistance& a, const SurfaceDistance& b, Progress progress) {
-  if (a.empty() || b.empty() || progress.cancelled()) return std::nullopt;
-  const double found =
-      std::max(largestFound(a, b, progress.part(0.0, 0.1)), largestFound(b, a, progress.part(0.1, 0.2)));
-  const double bound =
-      std::max(boundFrom(a, b, found, progress.part(0.2, 0.6)), boundFrom(b, a, found, progress.part(0.6, 1.0)));
-  if (progress.cancelled()) return std::nullopt;
-  const double rounding = kCoordinateRounding * std::max(largestCoordinate(a), largestCoordinate(b));
-  return bound > 0.0 ? bound + rounding : 0.0;
+  const auto proof = proveWithin(a, b, std::numeric_limits<double>::infinity(), progress);
+  return proof ? std::optional(proof->bound) : std::nullopt;
 }
 
 std::optional<double> largestDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Progress progress) {
   const SurfaceDistance first(a, progress.part(0.0, 0.1)), second(b, progress.part(0.1, 0.2));
   return largestDistance(first, second, progress.part(0.2, 1.0));
+}
+
+std::optional<DistanceProof> proveWithin(const SurfaceDistance& a, const SurfaceDistance& b, double limit,
+                                         Progress progress, std::span<const Box> regions) {
+  if (a.empty() || b.empty() || progress.cancelled()) return std::nullopt;
+  const std::vector<std::uint32_t> ofA = facesIn(a, regions), ofB = facesIn(b, regions);
+  const double coordinate = std::max(largestCoordinate(a), largestCoordinate(b));
+  const double rounding = kCoordinateRounding * coordinate, tolerance = kFineEnough * coordinate;
+  const double least = (limit - rounding) / (1.0 + kLargestDistanceSlack);
+  const double found = std::min(least, std::max(largestFound(a, ofA, b, progress.part(0.0, 0.1)),
+                                                largestFound(b, ofB, a, progress.part(0.1, 0.2))));
+  DistanceProof proof = proofOf(a, ofA, {b.hierarchy(), found, least, tolerance}, progress.part(0.2, 0.6));
+  const DistanceProof other = proofOf(b, ofB, {a.hierarchy(), found, least, tolerance}, progress.part(0.6, 1.0));
+  if (progress.cancelled()) return std::nullopt;
+  proof.bound = std::max(proof.bound, other.bound);
+  if (proof.bound > 0.0) proof.bound += rounding;
+  proof.beyond.insert(proof.beyond.end(), other.beyond.begin(), other.beyond.end());
+  std::sort(proof.beyond.begin(), proof.beyond.end(), [](const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  });
+  return proof;
 }
 
 }  // namespace handwheel

@@ -5,6 +5,8 @@
 #include "mesh/search/SurfaceDistance.h"
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace handwheel {
 
@@ -24,5 +26,20 @@ inline constexpr double kLargestDistanceSlack = 0.01;
 // they have triangles. The result is the same for any number of threads.
 std::optional<double> largestDistance(const SurfaceDistance& a, const SurfaceDistance& b, Progress progress = {});
 std::optional<double> largestDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Progress progress = {});
+
+// The result of proveWithin().
+struct DistanceProof {
+  double bound = 0.0;        // mm, as of largestDistance(), for the faces without points beyond the limit
+  std::vector<Vec3> beyond;  // a point of each face that has points too far from the other surface, sorted
+
+  bool isWithin(double limit) const { return beyond.empty() && bound <= limit; }
+};
+
+// Proves that two surfaces are within a limit (mm) of each other, or finds where they are not. A point nearer to the
+// limit than kLargestDistanceSlack may count as too far. regions: if there are any, only faces whose boxes meet one of
+// these boxes are tested; for a surface that was changed since the last proof, they are the boxes of the faces that
+// were changed and of those that were made, enlarged by the limit. Returns nothing as largestDistance() does.
+std::optional<DistanceProof> proveWithin(const SurfaceDistance& a, const SurfaceDistance& b, double limit,
+                                         Progress progress = {}, std::span<const Box> regions = {});
 
 }  // namespace handwheel

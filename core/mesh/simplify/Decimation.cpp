@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/simplify/Decimation.h"
 
-#include "mesh/search/DistanceBound.h"
 #include "mesh/search/LargestDistance.h"
 #include "mesh/simplify/Decimator.h"
 #include "mesh/simplify/QuadricDecimation.h"
@@ -16,6 +15,9 @@ namespace {
 // Share of the error limit used in the first try, and that of each further try relative to the previous one.
 constexpr double kFirstShare = 0.95, kNextShare = 0.95;
 constexpr int kTries = 6;
+// The same for vertices that are inserted where a try fails: between them the surface is as it was.
+constexpr double kInsertedShare = 0.985;
+constexpr int kMostInsertions = 3;  // rounds of each try
 
 std::size_t removeDegenerate(HalfEdgeMesh& mesh) {
   std::size_t removed = 0;
@@ -25,17 +27,6 @@ std::size_t removeDegenerate(HalfEdgeMesh& mesh) {
     ++removed;
   }
   return removed;
-}
-
-// Tests if each surface is within the error of the other, and collects the points where not.
-Within isWithin(const SurfaceDistance& a, const SurfaceDistance& b, double error, std::vector<Vec3>& beyond,
-                const Progress& progress) {
-  std::vector<Vec3> beyondOther;
-  const Within one = liesWithin(a, b, error, progress.part(0.0, 0.6), &beyond);
-  const Within other = liesWithin(b, a, error, progress.part(0.6, 1.0), &beyondOther);
-  beyond.insert(beyond.end(), beyondOther.begin(), beyondOther.end());
-  if (one == Within::No || other == Within::No) return Within::No;
-  return other == Within::Yes ? one : other;
 }
 
 // Collects the vertices of the faces within reach of these positions. The result is invalid once cancelled.
@@ -53,8 +44,28 @@ void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& po
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
-// If a try exceeds the error between the points at which each collapse was checked, the next one does not change the
-// surface there, and checks more points elsewhere. The result is invalid once cancelled.
+// Inserts a vertex between the surfaces at each of these positions. Returns the boxes of the faces that were changed.
+std::vector<Box> insertVertices(Decimator& decimator, const SurfaceDistance& made, const SurfaceDistance& original,
+                                const std::vector<Vec3>& positions) {
+  std::vector<Box> changed;
+  for (const Vec3& p : positions) {
+    const auto here = made.hierarchy().nearest(p), there = original.hierarchy().nearest(p);
+    if (!here || !there) continue;
+    // A vertex on the original is often too far from what is around it.
+    for (const double share : {0.5, 0.3, 0.1}) {
+      const Vec3 between = here->point + share * (there->point - here->point);
+      const auto box = decimator.insert(made.faces()[here->triangle], here->point, between);
+      if (!box) continue;
+      changed.push_back(*box);
+      break;
+    }
+  }
+  return changed;
+}
+
+// If a try exceeds the error between the points at which each collapse was checked, vertices are inserted there. If
+// that is not enough, the next try does not change the surface there; the error of further ones is smaller, too, and
+// the points are denser. The result is invalid once cancelled.
 void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, DecimationReport& report,
                     const Progress& progress) {
   const HalfEdgeMesh original = mesh;
@@ -62,31 +73,40 @@ void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, Decima
   report.cancelled = progress.cancelled();
   if (report.cancelled) return;
   double error = kFirstShare * *options.error, reach = 2.0 * *options.error, from = 0.01;
+  int density = 1;
   std::vector<Vertex> fixed;
-  for (int i = 0; i < kTries; ++i, error *= kNextShare, reach *= 2.0) {
+  for (int i = 0; i < kTries; ++i, reach *= 2.0) {
     const double to = 0.5 * (from + 1.0);
     const Progress whole = progress.part(from, to);
     from = to;
     mesh = original;
-    ErrorTracker check(original, error, i + 1, whole.part(0.0, 0.05));
-    report.cancelled = !Decimator(mesh, options, {&check, fixed}, whole.part(0.05, 0.1)).run(whole.part(0.1, 0.6));
+    ErrorTracker check(original, error, density, whole.part(0.0, 0.05));
+    Decimator decimator(mesh, options, {&check, fixed}, whole.part(0.05, 0.1));
+    report.cancelled = !decimator.run(whole.part(0.1, 0.7));
     if (report.cancelled) return;
-    std::vector<Vec3> beyond;
-    const SurfaceDistance made(mesh, whole.part(0.6, 0.65));
-    const Within within = isWithin(made, surface, *options.error, beyond, whole.part(0.65, 0.8));
-    report.cancelled = progress.cancelled();
-    if (report.cancelled) return;
-    if (within == Within::No) {
-      addVerticesNear(surface, beyond, reach, fixed, whole);
-      continue;
+    check.setError(kInsertedShare * *options.error);
+    std::optional<DistanceProof> proof;
+    std::vector<Box> changed;
+    for (int k = 0; k <= kMostInsertions; ++k) {
+      const Progress proving = whole.part(k == 0 ? 0.7 : 0.9, k == 0 ? 0.9 : 1.0);
+      const SurfaceDistance made(mesh, proving.part(0.0, 0.1));
+      const double known = proof ? proof->bound : 0.0;
+      proof = proveWithin(made, surface, *options.error, proving.part(0.1, 1.0), changed);
+      report.cancelled = progress.cancelled();
+      if (report.cancelled || !proof) return;
+      proof->bound = std::max(proof->bound, known);
+      if (proof->isWithin(*options.error)) {
+        report.largestDistance = proof->bound;
+        return;
+      }
+      changed = insertVertices(decimator, made, surface, proof->beyond);
+      if (changed.empty()) break;
+      for (Box& box : changed) box = Box(box.min().array() - *options.error, box.max().array() + *options.error);
     }
-    const std::optional<double> bound = largestDistance(made, surface, whole.part(0.8, 1.0));
-    report.cancelled = progress.cancelled();
-    if (report.cancelled) return;
-    // Either proves it.
-    if (within != Within::Yes && !(bound && *bound <= *options.error)) continue;
-    report.largestDistance = std::min(bound.value_or(*options.error), *options.error);
-    return;
+    addVerticesNear(surface, proof->beyond, reach, fixed, whole);
+    if (i == 0 && !proof->beyond.empty()) continue;
+    error *= kNextShare;
+    ++density;
   }
   mesh = original;
   report.largestDistance = 0.0;

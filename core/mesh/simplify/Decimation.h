@@ -23,10 +23,10 @@ struct DecimationOptions {
   // Target number of faces; decimation also stops if no more can be removed. 0: as few as the error allows.
   std::size_t faces = 0;
   // The largest allowed distance between the result and the original in both directions, mm; above zero. Every collapse
-  // is checked at points of the new faces, about as dense as the original's vertices, and at those sample points of the
-  // original (its vertices and some on each face) that are nearest to the new faces. The final result is verified
-  // (liesWithin()). If that fails, it is made again with a smaller error and without changes near the failure; if that
-  // does not help, nothing is removed.
+  // is checked at points of the new faces, mostly on their edges, and at those sample points of the original (its
+  // vertices and some on each face) that are nearest to the new faces. The final result is verified (distanceWithin()).
+  // If that fails, it is made again without changes near the failure, and then with a smaller error, too; if that does
+  // not help, nothing is removed.
   std::optional<double> error = std::nullopt;
   bool keepBorders = false;  // vertices of open edges are neither moved nor removed
   // Smallest angle between the normals at an edge (radian) that makes it a crease. Vertices stay on their crease: they

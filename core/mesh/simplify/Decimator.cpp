@@ -7,9 +7,14 @@
 #include "mesh/simplify/CollapseShape.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeCollapse.h"
+#include "mesh/structure/EdgeOperations.h"
+#include "proximity/ClosestPoint.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -28,10 +33,15 @@ bool Decimator::prepare(const Progress& progress) {
   return !progress.cancelled();
 }
 
+std::uint32_t Decimator::rankOf(double cost) {
+  constexpr int kMantissaBits = 52, kKeptBits = 1;
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(cost) >> (kMantissaBits - kKeptBits));
+}
+
 void Decimator::offer(HalfEdge h) {
   if (m_mesh.hasOpposite(h)) h = std::min(h, m_mesh.opposite(h));
   const auto placing = collapsePlacement(m_mesh, m_holds, h);
-  if (placing) m_queue.push({placing->cost, h, m_stamp[m_mesh.from(h)], m_stamp[m_mesh.to(h)]});
+  if (placing) m_queue.push({rankOf(placing->cost), h, m_stamp[m_mesh.from(h)], m_stamp[m_mesh.to(h)]});
 }
 
 bool Decimator::seed(const Progress& progress) {
@@ -63,42 +73,57 @@ void Decimator::takeStar(HalfEdge h, const Vec3& p) {
 bool Decimator::meetsNothing() {
   ++m_stars;
   for (const Face f : m_star.faces) m_inStar[f] = m_stars;
+  Box whole;
+  std::vector<Box> boxes;
   for (std::size_t i = 0; i < m_star.after.size(); ++i) {
-    const TrianglePoints& t = m_star.after[i];
     for (std::size_t j = 0; j < i; ++j) {
-      if (trianglesMeet(t, m_star.after[j])) return false;
+      if (trianglesMeet(m_star.after[i], m_star.after[j])) return false;
     }
-    const Box box = boxOf(t);
-    const bool isClear = m_octree.forEachNear(box, [&](Face other) {
-      if (m_inStar[other] == m_stars) return true;
-      const TrianglePoints points = m_mesh.points(other);
-      return !boxOf(points).intersects(box) || isDegenerate(points) || !trianglesMeet(t, points);
-    });
-    if (!isClear) return false;
+    boxes.push_back(boxOf(m_star.after[i]));
+    whole.extend(boxes.back());
   }
-  return true;
+  return m_octree.forEachNear(whole, [&](Face other) {
+    if (m_inStar[other] == m_stars) return true;
+    const TrianglePoints points = m_mesh.points(other);
+    const Box box = boxOf(points);
+    if (!box.intersects(whole)) return true;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (box.intersects(boxes[i]) && trianglesMeet(m_star.after[i], points) && !isDegenerate(points)) return false;
+    }
+    return true;
+  });
+}
+
+bool Decimator::isStarAllowed() {
+  if (!keepsShape(m_star.before, m_star.after)) return false;
+  if (m_options.avoidIntersections && !meetsNothing()) return false;
+  return !m_error || m_error->allows(m_star.faces, m_star.after);
 }
 
 bool Decimator::isAllowed(HalfEdge h, const Vec3& p) {
   if (m_holds.mergesCreases(m_mesh, h) || !canCollapse(m_mesh, h)) return false;
   takeStar(h, p);
-  if (!keepsShape(m_star.before, m_star.after)) return false;
-  if (m_options.avoidIntersections && !meetsNothing()) return false;
-  return !m_error || m_error->allows(m_star.faces, m_star.after);
+  return isStarAllowed();
+}
+
+void Decimator::removeFromOctree(std::span<const Face> faces) {
+  if (!m_options.avoidIntersections) return;
+  for (const Face f : faces) m_octree.remove(f, boxOf(m_mesh.points(f)));
+}
+
+void Decimator::addToOctree(std::span<const Face> faces) {
+  if (!m_options.avoidIntersections) return;
+  for (const Face f : faces) m_octree.add(f, boxOf(m_mesh.points(f)));
 }
 
 void Decimator::collapse(HalfEdge h, const Vec3& p) {
   const Vertex a = m_mesh.from(h);
   const bool isInner = m_mesh.hasOpposite(h);
   m_holds.beforeCollapse(m_mesh, h);
-  if (m_options.avoidIntersections) {
-    for (const Face f : m_star.faces) m_octree.remove(f, boxOf(m_mesh.points(f)));
-  }
+  removeFromOctree(m_star.faces);
   const HalfEdge leaving = collapseEdge(m_mesh, h, p);
   const std::span<const Face> stay = std::span<const Face>(m_star.faces).first(m_star.after.size());
-  if (m_options.avoidIntersections) {
-    for (const Face f : stay) m_octree.add(f, boxOf(m_mesh.points(f)));
-  }
+  addToOctree(stay);
   if (m_error) m_error->replace(m_star.faces, stay);
   m_faces -= isInner ? 2 : 1;
   ++m_stamp[a];
@@ -108,6 +133,37 @@ void Decimator::collapse(HalfEdge h, const Vec3& p) {
     if (!m_mesh.hasOpposite(back)) offer(back);
     return true;
   });
+}
+
+std::optional<Box> Decimator::insert(Face f, const Vec3& on, const Vec3& position) {
+  const TrianglePoints t = m_mesh.points(f);
+  HalfEdge h = kNone;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const double distance = (closestOnSegment(on, t[k], t[(k + 1) % 3]) - on).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    h = 3 * f + k;
+  }
+  if (h == kNone || !m_mesh.hasOpposite(h)) return std::nullopt;
+  const HalfEdge o = m_mesh.opposite(h);
+  const Face g = HalfEdgeMesh::face(o);
+  const auto end = [&](HalfEdge of) { return m_mesh.position(m_mesh.to(of)); };
+  const Vec3 a = end(o), b = end(h), c = end(HalfEdgeMesh::next(h)), d = end(HalfEdgeMesh::next(o));
+  m_star = {{f, g}, {t, t, m_mesh.points(g), m_mesh.points(g)}, {}};
+  m_star.after = {{position, c, a}, {position, b, c}, {position, d, b}, {position, a, d}};
+  if (!isStarAllowed()) return std::nullopt;
+  Box changed;
+  for (const TrianglePoints& each : {t, m_mesh.points(g)}) changed.extend(boxOf(each));
+  changed.extend(position);
+  removeFromOctree(m_star.faces);
+  (void)splitEdge(m_mesh, h, position);
+  const auto last = static_cast<Face>(m_mesh.faceSlots() - 1);
+  const std::array<Face, 4> made{f, last - 1, g, last};
+  m_inStar.resize(m_mesh.faceSlots(), 0);
+  addToOctree(made);
+  if (m_error) m_error->replace(m_star.faces, made);
+  return changed;
 }
 
 bool Decimator::drain(const Progress& progress) {
@@ -130,8 +186,8 @@ bool Decimator::drain(const Progress& progress) {
     if (m_stamp[m_mesh.from(c.edge)] != c.fromStamp || m_stamp[m_mesh.to(c.edge)] != c.toStamp) continue;
     // If the faces around its ends have changed since, the edge is queued again.
     const auto placing = collapsePlacement(m_mesh, m_holds, c.edge);
-    if (placing && placing->cost > c.cost) {
-      m_queue.push({placing->cost, c.edge, c.fromStamp, c.toStamp});
+    if (placing && rankOf(placing->cost) > c.rank) {
+      m_queue.push({rankOf(placing->cost), c.edge, c.fromStamp, c.toStamp});
     } else if (placing && isAllowed(c.edge, placing->position)) {
       collapse(c.edge, placing->position);
     }

@@ -12,7 +12,8 @@
 
 namespace handwheel {
 
-// Collapses edges of a mesh, the cheapest first, as decimate() describes. run() may be called once.
+// Collapses edges of a mesh, the cheapest first, as decimate() describes. run() may be called once, and before
+// insert().
 class Decimator {
  public:
   struct Limits {
@@ -31,20 +32,29 @@ class Decimator {
   // Returns false if cancelled.
   bool run(const Progress& progress);
 
+  // Splits the edge of a face that is nearest to a point of it, by a vertex at another position. Returns the
+  // box of the two faces before and after. Returns nothing, without a change, if there is no face beyond the edge, or
+  // if the options or the error limit forbid it.
+  std::optional<Box> insert(Face f, const Vec3& on, const Vec3& position);
+
  private:
   struct Candidate {
-    double cost;
+    std::uint32_t rank;  // rankOf() its cost
     HalfEdge edge;
     std::uint32_t fromStamp, toStamp;
-    // The order is reversed, because the top of std::priority_queue is the largest element.
-    bool operator<(const Candidate& other) const { return cost != other.cost ? cost > other.cost : edge > other.edge; }
+    // The order is reversed, because the top of std::priority_queue is the largest element. Edges of one rank are taken
+    // in the order of the mesh, because neighbours in it are near each other in memory, too.
+    bool operator<(const Candidate& other) const { return rank != other.rank ? rank > other.rank : edge > other.edge; }
   };
+  // Returns a number that does not decrease with the cost (not negative). Costs of one rank differ by less than a half.
+  static std::uint32_t rankOf(double cost);
 
-  // The effect of a collapse on the faces around the edge.
+  // The effect of a change on the faces around the edge.
   struct Star {
-    // All faces: first those that stay, in the order of before and after, then those that are removed.
+    // All faces. Of a collapse, first those that stay, in the order of before and after, then those that are removed.
     std::vector<Face> faces;
-    std::vector<TrianglePoints> before, after;  // shapes of the faces that stay; the moving corner comes first
+    // Shapes of the faces that stay or are made, with the moved or new corner first, and what they were or came from.
+    std::vector<TrianglePoints> before, after;
   };
 
   bool prepare(const Progress& progress);
@@ -55,8 +65,11 @@ class Decimator {
 
   void takeStar(HalfEdge h, const Vec3& p);
   bool meetsNothing();
+  bool isStarAllowed();
   bool isAllowed(HalfEdge h, const Vec3& p);
   void collapse(HalfEdge h, const Vec3& p);
+  void removeFromOctree(std::span<const Face> faces);
+  void addToOctree(std::span<const Face> faces);
 
   HalfEdgeMesh& m_mesh;
   const DecimationOptions& m_options;

@@ -4,6 +4,7 @@
 
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/FaceNormal.h"
 #include "proximity/ClosestPoint.h"
 
 #include <algorithm>
@@ -14,12 +15,31 @@ namespace handwheel {
 namespace {
 
 constexpr double kMostEdgeSteps = 24.0;  // along the edges of a face: 300 points
+// Largest density of the points on replacements, relative to those on the original. Most replacements that are too far
+// from the original are so at their new corner or along the edges from it.
+constexpr double kEdgeDensity = 8.0, kInnerDensity = 0.25;
+constexpr double kMostStepsOfEdge = kEdgeDensity * kMostEdgeSteps;
 
 double longestEdge(const TrianglePoints& t) {
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
 }
 
 }  // namespace
+
+ReachOfTriangle::ReachOfTriangle(const TrianglePoints& t) : m_corners(t), m_box(boxOf(t)), m_normal(unitNormal(t)) {
+  for (std::size_t k = 0; k < 3; ++k) m_outwards[k] = (t[(k + 1) % 3] - t[k]).cross(m_normal).normalized();
+}
+
+double ReachOfTriangle::squaredDistance(const Vec3& p, double limit) const {
+  const double beyond = m_box.squaredExteriorDistance(p);
+  if (beyond > limit) return beyond;
+  const double height = m_normal.dot(p - m_corners[0]);
+  double aside = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) aside = std::max(aside, m_outwards[k].dot(p - m_corners[k]));
+  const double least = height * height + aside * aside;
+  if (aside == 0.0 || least > limit) return least;
+  return (closestOnTriangle(p, m_corners[0], m_corners[1], m_corners[2]) - p).squaredNorm();
+}
 
 ErrorTracker::ErrorTracker(const HalfEdgeMesh& original, double error, int density, Progress progress)
     : m_original(original, progress.part(0.0, 0.8)), m_error(error), m_head(original.faceSlots(), kNone) {
@@ -57,24 +77,43 @@ void ErrorTracker::assignInner(Face f, const TrianglePoints& t) {
   }
 }
 
-bool ErrorTracker::isNear(const TrianglePoints& t) const {
-  const int steps = static_cast<int>(std::min(kMostEdgeSteps, std::max(1.0, std::ceil(longestEdge(t) / m_spacing))));
-  for (int i = 0; i < steps; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      const Vec3 p = t[0] + double(i - j) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]);
-      if (!m_original.hierarchy().isWithin(p, m_error)) return false;
+bool ErrorTracker::isNear(const Vec3& p, Near& near) const {
+  if (near.triangle) {
+    const auto [a, b, c] = m_original.hierarchy().corners(*near.triangle);
+    near.distance = (closestOnTriangle(p, a, b, c) - p).norm();
+    if (near.distance < m_error) return true;
+  }
+  const auto nearest = m_original.hierarchy().nearest(p, m_error);
+  if (!nearest) return false;
+  near = {nearest->triangle, std::sqrt(nearest->squaredDistance)};
+  return true;
+}
+
+bool ErrorTracker::isEdgeNear(const Vec3& from, const Vec3& to, Near near) const {
+  const double length = (to - from).norm();
+  const double step = std::max(m_spacing / kEdgeDensity, length / kMostStepsOfEdge);
+  for (double at = 0.0; at < length; at += std::max(step, m_error - near.distance)) {
+    if (!isNear(from + at / length * (to - from), near)) return false;
+  }
+  return true;
+}
+
+bool ErrorTracker::isInnerNear(const TrianglePoints& t, Near near) const {
+  const double wanted = std::ceil(kInnerDensity * longestEdge(t) / m_spacing);
+  const int steps = static_cast<int>(std::min(kMostEdgeSteps, wanted));
+  for (int i = 1; i < steps; ++i) {
+    for (int j = 1; j < i; ++j) {
+      if (!isNear(t[0] + double(i - j) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]), near)) return false;
     }
   }
   return true;
 }
 
-bool ErrorTracker::isAssignedNear(std::uint32_t point, std::span<const TrianglePoints> replacements) {
+bool ErrorTracker::isAssignedNear(std::uint32_t point) {
   double least = m_error * m_error;
   std::uint32_t best = kNone;
-  for (std::uint32_t i = 0; i < replacements.size(); ++i) {
-    if (m_boxes[i].squaredExteriorDistance(m_points[point]) > least) continue;
-    const auto& [a, b, c] = replacements[i];
-    const double distance = (closestOnTriangle(m_points[point], a, b, c) - m_points[point]).squaredNorm();
+  for (std::uint32_t i = 0; i < m_reaches.size(); ++i) {
+    const double distance = m_reaches[i].squaredDistance(m_points[point], least);
     if (distance > least) continue;
     least = distance;
     best = i;
@@ -85,21 +124,26 @@ bool ErrorTracker::isAssignedNear(std::uint32_t point, std::span<const TriangleP
 
 bool ErrorTracker::allows(std::span<const Face> old, std::span<const TrianglePoints> replacements) {
   m_moves.clear();
-  m_boxes.clear();
-  for (const TrianglePoints& t : replacements) m_boxes.push_back(boxOf(t));
+  m_reaches.clear();
+  for (const TrianglePoints& t : replacements) m_reaches.emplace_back(t);
   for (const Face f : old) {
     for (std::uint32_t point = m_head[f], last = kNone; point != kNone; last = std::exchange(point, m_next[point])) {
-      if (isAssignedNear(point, replacements)) continue;
+      if (isAssignedNear(point)) continue;
       // The point is tested first from now on, because it is probably too far from the next replacements too.
       if (last != kNone) m_next[last] = std::exchange(m_next[point], std::exchange(m_head[f], point));
       return false;
     }
   }
-  return std::all_of(replacements.begin(), replacements.end(), [&](const TrianglePoints& t) { return isNear(t); });
+  Near near;
+  return replacements.empty() || (isNear(replacements[0][0], near) &&
+                                  std::all_of(replacements.begin(), replacements.end(), [&](const TrianglePoints& t) {
+                                    return isEdgeNear(t[0], t[1], near) && isInnerNear(t, near);
+                                  }));
 }
 
 void ErrorTracker::replace(std::span<const Face> old, std::span<const Face> by) {
   for (const Face f : old) m_head[f] = kNone;
+  for (const Face f : by) m_head.resize(std::max<std::size_t>(m_head.size(), f + 1), kNone);
   for (const Assigned& move : m_moves) m_next[move.point] = std::exchange(m_head[by[move.replacement]], move.point);
 }
 

@@ -61,6 +61,10 @@ VolumeDocument& Segmentation::volume() const {
   return static_cast<VolumeDocument&>(m_document->document);
 }
 
+bool Segmentation::isOlder() const {
+  return volume().volume()->madeFrom != volume().segment();
+}
+
 void Segmentation::makeDocks() {
   auto* const window = qobject_cast<QMainWindow*>(m_parts.window);
   if (m_panelDock || !window) return;
@@ -135,6 +139,7 @@ void Segmentation::setDocument(DocumentTab* document) {
     m_figures = {};
     m_shown = volume().segment();
     m_panel->setSegment(m_shown);
+    m_panel->setOlder(isOlder());
     m_slices->setSegment(m_shown);
     m_pause.start();
     connect(&document->document, &Document::changed, this, &Segmentation::refresh);
@@ -164,6 +169,7 @@ void Segmentation::show() {
 
 void Segmentation::refresh() {
   const Segment& segment = volume().segment();
+  m_panel->setOlder(isOlder());
   if (segment == m_shown) return;
   dropStroke();  // a stroke does not continue after an undo
   m_shown = segment;
@@ -336,7 +342,7 @@ void Segmentation::makeSurface() {
     const Result<SparseVolume> made =
         volumeOfSmoothed(scan->image, segment, how.voxel, how.isSmoothed, progress.part(0.0, 0.7));
     if (!made) return [failed, error = made.error()] { failed(error); };
-    const auto snapshot = snapshotOf(*made, source, progress.part(0.7, 1.0), scan, {}, pieces);
+    const auto snapshot = snapshotOf(*made, source, progress.part(0.7, 1.0), scan, segment, pieces);
     if (!snapshot) return [failed, error = snapshot.error()] { failed(error); };
     const auto finish = [document, made = *snapshot] {
       document->settle();

@@ -45,6 +45,8 @@ class Segmentation : public QObject {
   using Change = std::function<Changed(const Scan&, const Segment&, const SegmentParts&, Progress)>;
 
   VolumeDocument& volume() const;
+  // Returns true if the segment was changed after the surface was made.
+  bool isOlder() const;
   bool isOpen() const { return m_document && m_toggle.isChecked(); }
   void makeDocks();
   void connectSlices();

@@ -247,7 +247,11 @@ QWidget* SegmentationPanel::makeSurface() {
   m_make->setDefault(true);
   connect(m_voxel, &NumberField::valueEdited, this, &SegmentationPanel::showMemory);
   connect(m_make, &QPushButton::clicked, this, &SegmentationPanel::surfaceRequested);
-  return groupOf(tr("Surface"), {rowOf({new QLabel(tr("Voxel")), m_voxel}), m_isSmoothed, m_memory, rowOf({m_make})});
+  m_older = textLabel("segmentOlder");
+  m_older->setText(tr("The volume was made from an earlier segment."));
+  m_older->hide();
+  return groupOf(tr("Surface"),
+                 {rowOf({new QLabel(tr("Voxel")), m_voxel}), m_isSmoothed, m_memory, m_older, rowOf({m_make})});
 }
 
 void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
@@ -306,6 +310,10 @@ void SegmentationPanel::setFigures(const SegmentStatistics& figures) {
 void SegmentationPanel::setUncounted() {
   m_parts->setText(QString());
   m_make->setEnabled(m_scan != nullptr);
+}
+
+void SegmentationPanel::setOlder(bool isOlder) {
+  m_older->setVisible(isOlder);
 }
 
 void SegmentationPanel::setGreys(const GreyWindow& greys) {

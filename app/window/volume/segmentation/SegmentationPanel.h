@@ -53,6 +53,8 @@ class SegmentationPanel : public QWidget {
   void setFigures(const SegmentStatistics& figures);
   // Shows that counting has failed. A surface can still be made.
   void setUncounted();
+  // Shows whether the segment was changed after the volume was made from it.
+  void setOlder(bool isOlder);
   void setGreys(const GreyWindow& greys);
   // Shows the value and the position at the crosshair.
   void setPosition(const Vec3& index);
@@ -111,6 +113,7 @@ class SegmentationPanel : public QWidget {
   NumberField* m_voxel;
   QCheckBox* m_isSmoothed;
   QLabel* m_memory;
+  QLabel* m_older;
   QPushButton* m_make;
 };
 

@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/volume/VolumeKind.h"
 
+#include "../../volume/image/MadeImages.h"
 #include "ClosedSurface.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "document/AtomicFile.h"
 #include "document/formats/MeshFormat.h"
+#include "document/volume/SegmentEdit.h"
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
 #include "mesh/structure/Weld.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/clay/ClayDab.h"
 #include "volume/drilling/DrillBits.h"
+#include "volume/image/NrrdWriter.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
@@ -320,6 +324,43 @@ class VolumeKindTest : public QObject {
     QCOMPARE(read->soup.triangles.size(), value->surface.triangleCount());
     QVERIFY(isClosedManifold(weld(read->soup)));
     QVERIFY(!m_kind.exportTo(*value, folder.filePath("ball.txt").toStdString(), {}).hasValue());
+  }
+
+  // A file of the surface says that another label was chosen after it was made, also in another session.
+  void olderThanTheSegment() {
+    QTemporaryDir folder;
+    const ImageGrid grid{{12, 12, 12}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
+    const auto image = test::imageOf<std::int16_t>(grid, [](const Vec3& p) {
+      const bool isIn = p.minCoeff() > 2 && p.maxCoeff() < 9;
+      return !isIn ? 0.0 : p.x() < 6 ? 1.0 : 2.0;
+    });
+    const std::filesystem::path path = folder.filePath("labels.nrrd").toStdString();
+    QVERIFY(writeFileAtomically(path, nrrdOf(image, {})).hasValue());
+    auto opened = m_kind.import(path, {}, {});
+    QVERIFY(opened.hasValue());
+    VolumeDocument document(std::move(*opened));
+    const auto isWarned = [&](const SnapshotPointer& content, const char* name) {
+      const auto written = m_kind.exportTo(*content, folder.filePath(name).toStdString(), {});
+      return written.hasValue() && std::any_of(written->notes.begin(), written->notes.end(), [](const Note& note) {
+               return note.isLoss && note.text.find("earlier segment") != std::string::npos;
+             });
+    };
+    for (const char* const name : {"a.stl", "a.vdb", "a.nrrd"}) {
+      QVERIFY(!isWarned(document.snapshot(), name));
+      document.commit({}, std::make_unique<SegmentEdit>(Segment({2.0, 2.0}), document.segment()));
+      QVERIFY(isWarned(document.snapshot(), name));
+      Container container;
+      m_kind.save(*document.snapshot(), container);
+      std::vector<Error> damage;
+      auto loaded = m_kind.load(container, damage, {});
+      QVERIFY(loaded.hasValue() && damage.empty());
+      QVERIFY(isWarned(*loaded, name));
+      document.history()->undo();
+      m_kind.save(*document.snapshot(), container);
+      loaded = m_kind.load(container, damage, {});
+      QVERIFY(loaded.hasValue() && damage.empty());
+      QVERIFY(!isWarned(*loaded, name));
+    }
   }
 
   void documentAndItsProperties() {

@@ -13,6 +13,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <fstream>
 
 using namespace handwheel;
@@ -111,10 +112,14 @@ class ScanWindowTest : public QObject {
     const auto& document = static_cast<VolumeDocument&>(shown(driver).document);
     const auto volume = [&] { return document.volume()->volume.material(); };
     QCOMPARE(volume(), 12.0 * 12.0 * 12.0);
+    const auto* const older = driver.find<QLabel>("segmentOlder");
+    QVERIFY(!older->isVisible());
+    bool isWarned = false;
     const auto take = [&](int index) {
       list->setCurrentIndex(index);
       emit list->activated(index);
       if (!driver.settle()) return;
+      isWarned = older->isVisible();
       driver.click("segmentMakeSurface");
       (void)driver.settle();
     };
@@ -122,6 +127,11 @@ class ScanWindowTest : public QObject {
     QCOMPARE(document.segment().range().least, 2.0);
     QCOMPARE(document.segment().range().largest, 2.0);
     QCOMPARE(volume(), 4.0 * 12.0 * 12.0);
+    QVERIFY(isWarned && !older->isVisible());
+    driver.choose("undo");
+    QVERIFY(older->isVisible());
+    driver.choose("undo");
+    QVERIFY(!older->isVisible());
     take(2);
     QCOMPARE(volume(), 8.0 * 12.0 * 12.0);
     take(0);
