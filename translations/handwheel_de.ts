@@ -16568,6 +16568,10 @@
         <source>Mesh made of %1 triangle(s): %2 of them left</source>
         <translation>Netz aus %1 Dreieck(en) erzeugt: %2 davon übrig</translation>
     </message>
+    <message>
+        <source>about %1 s</source>
+        <translation type="unfinished">etwa %1 s</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RepairActions</name>

@@ -16460,6 +16460,10 @@
         <source>Mesh made of %1 triangle(s): %2 of them left</source>
         <translation>已由 %1 个三角形生成网格：保留其中 %2 个</translation>
     </message>
+    <message>
+        <source>about %1 s</source>
+        <translation type="unfinished">约 %1 s</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RepairActions</name>

@@ -9,7 +9,6 @@
 #include "text/ErrorText.h"
 #include "tools/OperationSettings.h"
 #include "tools/ToolProperty.h"
-#include "tools/volume/VoxelizeOperations.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
 
@@ -84,15 +83,18 @@ std::vector<Property> RemeshAction::shown() const {
   }
   // The other method makes more triangles along sharp edges.
   const bool isExact = m_goal == Goal::All && m_values.whole("method") == 0;
-  const QString count =
-      m_predicted ? (isExact ? tr("%1") : tr("about %1")).arg(QLocale().toString(std::round(*m_predicted), 'f', 0))
-                  : tr("being counted…");
-  Property predicted{.id = "predicted",
-                     .group = {},
-                     .label = QT_TRANSLATE_NOOP("Property", "Triangles of the mesh"),
-                     .value = count.toStdString()};
-  predicted.editable = false;
-  all.push_back(std::move(predicted));
+  const auto say = [&](const char* id, const char* label, const QString& text) {
+    Property said{.id = id, .group = {}, .label = label, .value = text.toStdString()};
+    said.editable = false;
+    all.push_back(std::move(said));
+  };
+  const QLocale locale;
+  say("predicted", QT_TRANSLATE_NOOP("Property", "Triangles of the mesh"),
+      m_predicted
+          ? (isExact ? tr("%1") : tr("about %1")).arg(locale.toString(std::round(m_predicted->triangles), 'f', 0))
+          : tr("being counted…"));
+  say("seconds", QT_TRANSLATE_NOOP("Property", "Time"),
+      m_predicted ? tr("about %1 s").arg(locale.toString(m_predicted->seconds, 'g', 1)) : tr("being counted…"));
   return all;
 }
 
@@ -118,7 +120,7 @@ void RemeshAction::predict() {
   Job job;
   job.name = tr("Counting triangles");
   job.work = [this, values = wanted(), volume = m_volume](Progress progress) -> Job::Finish {
-    const double predicted = predictedTriangles(volume->surface, values, progress);
+    const RemeshPrediction predicted = predictRemesh(volume->surface, values, progress);
     if (progress.cancelled()) return {};
     return [this, predicted] {
       m_predicted = predicted;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/Operation.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
 
@@ -13,8 +14,8 @@ namespace handwheel {
 class PropertyDialog;
 struct VolumeSnapshot;
 
-// The command “Make mesh…” of volumes. It asks for the largest error or the number of triangles, predicts this number,
-// and opens the mesh as a new document. All functions must be called on the window thread.
+// The command “Make mesh…” of volumes. It asks for the largest error or the number of triangles, predicts number and
+// time, and opens the mesh as a new document. All functions must be called on the window thread.
 class RemeshAction : public QObject {
   Q_OBJECT
 
@@ -45,7 +46,7 @@ class RemeshAction : public QObject {
   std::shared_ptr<const VolumeSnapshot> m_volume;  // volume of the open dialog
   Goal m_goal = Goal::Distance;
   OperationValues m_values;
-  std::optional<double> m_predicted;  // predicted number of triangles; none: they are still being counted
+  std::optional<RemeshPrediction> m_predicted;  // none: the triangles are still being counted
   JobRunner m_predicting;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/volume/VoxelizeOperations.h"
 
+#include "base/ThreadClock.h"
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "volume/surface/SharpSurface.h"
@@ -53,6 +54,55 @@ HalfEdgeMesh meshOf(const VolumeTriangles& triangles) {
   return buildMesh(soup).mesh;
 }
 
+bool isReduced(const OperationValues& values) {
+  return values.given("error") || values.whole("faces") > 0;
+}
+
+DecimationOptions optionsOf(const OperationValues& values) {
+  DecimationOptions options;
+  options.faces = values.whole("faces");
+  options.error = values.given("error");
+  options.avoidIntersections = true;
+  options.measureDistance = true;
+  return options;
+}
+
+// Counts the faces of a piece of a surface that are not near its borders, where it is reduced in another way than in
+// the whole surface. If too few are left, all count.
+class AwayFromBorders {
+ public:
+  explicit AwayFromBorders(const HalfEdgeMesh& piece) {
+    Box box;
+    for (HalfEdge h = 0; h < piece.halfEdgeSlots(); ++h) {
+      if (!piece.isLive(HalfEdgeMesh::face(h))) continue;
+      box.extend(piece.position(piece.from(h)));
+      if (!piece.hasOpposite(h)) m_borders.push_back(piece.position(piece.from(h)));
+    }
+    if (box.isEmpty()) return;
+    constexpr double kMargin = 0.1, kLeastShare = 0.2;
+    m_margin = kMargin * box.sizes().maxCoeff();
+    if (count(piece) < kLeastShare * static_cast<double>(piece.liveFaceCount())) m_borders.clear();
+  }
+
+  double count(const HalfEdgeMesh& mesh) const {
+    double faces = 0.0;
+    for (Face f = 0; f < mesh.faceSlots(); ++f) {
+      if (!mesh.isLive(f)) continue;
+      const TrianglePoints t = mesh.points(f);
+      const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+      const auto isNear = [&](const Vec3& p) { return (p - middle).squaredNorm() < m_margin * m_margin; };
+      if (std::none_of(m_borders.begin(), m_borders.end(), isNear)) ++faces;
+    }
+    return faces;
+  }
+
+ private:
+  std::vector<Vec3> m_borders;  // vertices at open edges
+  double m_margin = 0.0;        // mm
+};
+
+constexpr double kSecondsAtLeast = 0.05;  // for starting and showing the mesh
+
 }  // namespace
 
 Parameter lengthParameter(const char* id, const char* label, std::string meaning, double least, double largest) {
@@ -103,44 +153,47 @@ const Operation& remeshOperation() {
   return operation;
 }
 
-double predictedTriangles(const VolumeSurface& surface, const OperationValues& values, Progress progress) {
+RemeshPrediction predictRemesh(const VolumeSurface& surface, const OperationValues& values, Progress progress) {
   constexpr std::size_t kTried = 40'000;  // triangles, and at least one piece
   const auto total = static_cast<double>(surface.triangleCount());
-  const double wanted = static_cast<double>(values.whole("faces"));
-  if (!values.given("error")) return wanted > 0.0 ? std::min(wanted, total) : total;
+  const double wanted = values.whole("faces") > 0 ? static_cast<double>(values.whole("faces")) : total;
+  DecimationOptions options = optionsOf(values);
   const std::size_t pieces = surface.pieces().size();
   const std::size_t step = std::max<std::size_t>(1, surface.triangleCount() / kTried);
-  double before = 0.0, after = 0.0;
+  double tried = 0.0, before = 0.0, after = 0.0, milliseconds = 0.0;
   std::size_t number = 0;
   for (const auto& [key, piece] : surface.pieces()) {
-    if (progress.cancelled()) return 0.0;
+    if (progress.cancelled()) return {};
     progress.set(static_cast<double>(number) / static_cast<double>(pieces));
     if (number++ % step != 0) continue;
-    HalfEdgeMesh mesh = meshOf(piece->fine);
-    before += static_cast<double>(mesh.liveFaceCount());
-    DecimationOptions options;
-    options.error = values.given("error");
-    options.avoidIntersections = true;
-    after += static_cast<double>(decimate(mesh, options, progress.part(0.0, 1.0)).facesAfter);
+    HalfEdgeMesh mesh;
+    milliseconds += cpuMilliseconds([&] { mesh = meshOf(piece->fine); });
+    const auto faces = static_cast<double>(mesh.liveFaceCount());
+    tried += faces;
+    if (!isReduced(values)) continue;
+    const AwayFromBorders inner(mesh);
+    before += inner.count(mesh);
+    options.faces = static_cast<std::size_t>(faces * std::min(1.0, values.given("error") ? 0.0 : wanted / total));
+    milliseconds += cpuMilliseconds([&] { (void)decimate(mesh, options, progress.part(0.0, 1.0)); });
+    after += inner.count(mesh);
   }
-  return before > 0.0 ? std::max(wanted, total * after / before) : total;
+  const double share = before > 0.0 ? after / before : 1.0;
+  RemeshPrediction predicted{std::min(wanted, total), 0.0};
+  if (values.given("error")) predicted.triangles = std::max(values.whole("faces") > 0 ? wanted : 0.0, total * share);
+  if (tried > 0.0) predicted.seconds = kSecondsAtLeast + 1e-3 * milliseconds * total / tried;
+  return predicted;
 }
 
 Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress) {
-  const bool isReduced = values.given("error") || values.whole("faces") > 0;
-  const Progress making = progress.part(0.0, isReduced ? 0.2 : 1.0);
+  const Progress making = progress.part(0.0, isReduced(values) ? 0.2 : 1.0);
   Remeshed done;
   const bool isSharp = values.whole("method") == 1;
   const TriangleSoup surface =
       isSharp ? sharpSurfaceOf(volume, making.part(0.0, 0.5)) : surfaceOf(volume, making.part(0.0, 0.5));
   done.before = surface.triangles.size();
   done.mesh = buildMesh(surface, making.part(0.5, 1.0)).mesh;
-  if (isReduced && !progress.cancelled()) {
-    DecimationOptions options;
-    options.faces = values.whole("faces");
-    options.error = values.given("error");
-    options.avoidIntersections = true;
-    options.measureDistance = true;
+  if (isReduced(values) && !progress.cancelled()) {
+    const DecimationOptions options = optionsOf(values);
     done.largestDistance = decimate(done.mesh, options, progress.part(0.2, 1.0)).largestDistance;
   }
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -31,9 +31,15 @@ struct Remeshed {
   std::optional<double> largestDistance;  // largest distance from the surface, mm; none: not reduced
 };
 
-// Returns the approximate number of triangles of remesh(): that of the surface, or the requested number. For a largest
-// distance, it is estimated from sample pieces of the surface. Returns 0 if cancelled.
-double predictedTriangles(const VolumeSurface& surface, const OperationValues& values, Progress progress = {});
+// The approximate result of remesh().
+struct RemeshPrediction {
+  double triangles = 0.0;
+  double seconds = 0.0;  // time on this machine, s
+};
+// Returns the prediction. The triangles are those of the surface, or the requested number. For a largest distance, they
+// are estimated from sample pieces of the surface, apart from what is near their borders; so is the time. The result is
+// invalid if cancelled.
+RemeshPrediction predictRemesh(const VolumeSurface& surface, const OperationValues& values, Progress progress = {});
 
 // Makes the mesh of remeshOperation(). Error: Cancelled.
 Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress);
