@@ -16570,7 +16570,7 @@
     </message>
     <message>
         <source>about %1 s</source>
-        <translation type="unfinished">etwa %1 s</translation>
+        <translation>etwa %1 s</translation>
     </message>
 </context>
 <context>

@@ -16462,7 +16462,7 @@
     </message>
     <message>
         <source>about %1 s</source>
-        <translation type="unfinished">约 %1 s</translation>
+        <translation>约 %1 s</translation>
     </message>
 </context>
 <context>
