@@ -13,11 +13,11 @@ namespace handwheel {
 namespace {
 
 // Share of the error limit used in the first try, and that of each further try relative to the previous one.
-constexpr double kFirstShare = 0.95, kNextShare = 0.95;
+constexpr double kFirstShare = 0.95, kNextShare = 0.85;
 constexpr int kTries = 6;
 // The same for vertices that are inserted where a try fails: between them the surface is as it was.
 constexpr double kInsertedShare = 0.985;
-constexpr int kMostInsertions = 3;  // rounds of each try
+constexpr int kMostInsertions = 12;  // rounds of each try, which are short
 
 std::size_t removeDegenerate(HalfEdgeMesh& mesh) {
   std::size_t removed = 0;
@@ -52,7 +52,7 @@ std::vector<Box> insertVertices(Decimator& decimator, const SurfaceDistance& mad
     const auto here = made.hierarchy().nearest(p), there = original.hierarchy().nearest(p);
     if (!here || !there) continue;
     // A vertex on the original is often too far from what is around it.
-    for (const double share : {0.5, 0.3, 0.1}) {
+    for (const double share : {0.5, 0.3, 0.1, 0.03}) {
       const Vec3 between = here->point + share * (there->point - here->point);
       const auto box = decimator.insert(made.faces()[here->triangle], here->point, between);
       if (!box) continue;
