@@ -113,8 +113,8 @@ class FaceOctree {
   void raiseTo(int level);
   void tellAbove(int level, Cell cell, const Node* node);
 
-  // The nodes of a level stay in place while others are added and removed.
   // The levels by the exponent of their cell size. The ancestors of each cell exist in all levels up to the largest.
+  // Nodes stay in place while others are added and removed.
   Levels m_levels;
 };
 

@@ -6,8 +6,8 @@
 #include "proximity/ClosestPoint.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/partitioner.h>
 
 #include <algorithm>
 #include <atomic>
@@ -23,7 +23,8 @@ namespace {
 
 constexpr std::size_t kFacesPerRange = 64;
 constexpr std::size_t kPartsPerPoll = 256;
-constexpr double kPartBudget = 4e6;        // shared by the faces according to their areas
+constexpr double kPartBudget = 4e6;        // shared by the faces according to their areas; or, if that is more:
+constexpr double kPartsOfTriangle = 16.0;  // parts for each triangle of the other surface
 constexpr double kPartBudgetOfFace = 256;  // beside that share
 constexpr double kFineEnough = 1e-12;      // share of the coordinates below which a distance is not resolved
 constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
@@ -74,7 +75,7 @@ bool cut(const Part& part, const Vec3& point, const Vec3& normal, double toleran
 
 // The constants of the bounds of all faces of a surface.
 struct Search {
-  const TriangleHierarchy& of;
+  const SurfaceDistance& of;
   double found;      // distance of a point of either surface
   double limit;      // distance beyond which a face needs no bound
   double tolerance;  // mm
@@ -84,7 +85,7 @@ struct Search {
 class FaceBound {
  public:
   FaceBound(const Search& search, const Progress& progress)
-      : m_of(search.of),
+      : m_of(search.of.hierarchy()),
         m_found(search.found),
         m_limit(search.limit),
         m_tolerance(search.tolerance),
@@ -93,13 +94,16 @@ class FaceBound {
   // Points beyond the limit, at most one of each face.
   const std::vector<Vec3>& beyond() const { return m_beyond; }
 
-  // Returns the bound of the distances of a face. It is infinite if a point is beyond the limit. If it takes too many
-  // parts, it starts again with more slack.
+  // Returns the bound of the distances of a face. It is infinite if a point is beyond the limit, or may be. If it takes
+  // too many parts, it starts again with more slack.
   double boundOf(const TrianglePoints& face, double mostParts) {
-    double found = m_found;
-    for (double slack = kLargestDistanceSlack;; slack *= 4.0) {
-      if (const auto bound = tryBound(face, mostParts, slack, found)) return *bound;
-    }
+    double found = m_found, slack = kLargestDistanceSlack;
+    std::optional<double> tried;
+    while (!(tried = tryBound(face, mostParts, slack, found))) slack *= 4.0;
+    const double bound = *tried;
+    if (bound <= (1.0 + kLargestDistanceSlack) * m_limit) return bound;
+    if (bound != kUnknown) m_beyond.push_back((face[0] + face[1] + face[2]) / 3.0);
+    return kUnknown;
   }
 
  private:
@@ -184,7 +188,7 @@ class FaceBound {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-// Calls work(range) on all threads, and returns the largest result.
+// Calls work(range) on all threads, and returns the largest result. The ranges do not depend on the threads.
 double largestOf(std::size_t n, const Progress& progress, const std::function<double(const Range&)>& work) {
   std::atomic<std::size_t> done{0};
   return tbb::parallel_reduce(
@@ -195,7 +199,7 @@ double largestOf(std::size_t n, const Progress& progress, const std::function<do
         progress.set(static_cast<double>(done += range.size()) / static_cast<double>(n));
         return largest;
       },
-      [](double a, double b) { return std::max(a, b); });
+      [](double a, double b) { return std::max(a, b); }, tbb::simple_partitioner());
 }
 
 // Returns the largest distance of the corners and the middles of faces.
@@ -236,6 +240,8 @@ DistanceProof proofOf(const SurfaceDistance& surface, const std::vector<std::uin
   const auto pointsOf = [&](std::size_t i) { return surface.mesh().points(surface.faces()[faces[i]]); };
   double area = 0.0;
   for (std::size_t i = 0; i < faces.size(); ++i) area += handwheel::areaOf(pointsOf(i));
+  const auto triangles = static_cast<double>(search.of.faces().size());
+  const double budget = std::max(kPartBudget, kPartsOfTriangle * triangles);
   DistanceProof proof;
   std::mutex mutex;
   proof.bound = largestOf(faces.size(), progress, [&](const Range& range) {
@@ -244,7 +250,7 @@ DistanceProof proofOf(const SurfaceDistance& surface, const std::vector<std::uin
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const TrianglePoints t = pointsOf(i);
       const double share = area > 0.0 ? handwheel::areaOf(t) / area : 0.0;
-      const double bound = face.boundOf(t, kPartBudgetOfFace + kPartBudget * share);
+      const double bound = face.boundOf(t, kPartBudgetOfFace + budget * share);
       if (bound != kUnknown) largest = std::max(largest, bound);
     }
     const std::scoped_lock lock(mutex);
@@ -275,8 +281,8 @@ std::optional<DistanceProof> proveWithin(const SurfaceDistance& a, const Surface
   const double least = (limit - rounding) / (1.0 + kLargestDistanceSlack);
   const double found = std::min(least, std::max(largestFound(a, ofA, b, progress.part(0.0, 0.1)),
                                                 largestFound(b, ofB, a, progress.part(0.1, 0.2))));
-  DistanceProof proof = proofOf(a, ofA, {b.hierarchy(), found, least, tolerance}, progress.part(0.2, 0.6));
-  const DistanceProof other = proofOf(b, ofB, {a.hierarchy(), found, least, tolerance}, progress.part(0.6, 1.0));
+  DistanceProof proof = proofOf(a, ofA, {b, found, least, tolerance}, progress.part(0.2, 0.6));
+  const DistanceProof other = proofOf(b, ofB, {a, found, least, tolerance}, progress.part(0.6, 1.0));
   if (progress.cancelled()) return std::nullopt;
   proof.bound = std::max(proof.bound, other.bound);
   if (proof.bound > 0.0) proof.bound += rounding;

@@ -30,7 +30,7 @@ std::optional<double> largestDistance(const HalfEdgeMesh& a, const HalfEdgeMesh&
 // The result of proveWithin().
 struct DistanceProof {
   double bound = 0.0;        // mm, as of largestDistance(), for the faces without points beyond the limit
-  std::vector<Vec3> beyond;  // a point of each face that has points too far from the other surface, sorted
+  std::vector<Vec3> beyond;  // a point of each face that has points too far from the other surface, or may, sorted
 
   bool isWithin(double limit) const { return beyond.empty() && bound <= limit; }
 };

@@ -12,9 +12,9 @@
 namespace handwheel {
 namespace {
 
-// Share of the error limit used in the first try, and that of each further try relative to the previous one.
+// Share of the error limit used in the first tries, and that of each further try relative to the previous one.
 constexpr double kFirstShare = 0.95, kNextShare = 0.85;
-constexpr int kTries = 6;
+constexpr int kTriesAtFirstShare = 3, kTries = 7;
 // The same for vertices that are inserted where a try fails: between them the surface is as it was.
 constexpr double kInsertedShare = 0.985;
 constexpr int kMostInsertions = 12;  // rounds of each try, which are short
@@ -44,23 +44,29 @@ void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& po
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
-// Inserts a vertex between the surfaces at each of these positions. Returns the boxes of the faces that were changed.
+// Inserts a vertex between the surfaces at each of these positions. Returns the regions that have to be proven again:
+// boxes of the faces that were changed, and of the positions where nothing could be inserted. Returns no regions if
+// nothing was changed. The result is invalid once cancelled.
 std::vector<Box> insertVertices(Decimator& decimator, const SurfaceDistance& made, const SurfaceDistance& original,
-                                const std::vector<Vec3>& positions) {
-  std::vector<Box> changed;
+                                const std::vector<Vec3>& positions, double error, const Progress& progress) {
+  std::vector<Box> regions;
+  bool isChanged = false;
   for (const Vec3& p : positions) {
+    if (progress.cancelled()) return {};
+    Box region(p);
     const auto here = made.hierarchy().nearest(p), there = original.hierarchy().nearest(p);
-    if (!here || !there) continue;
     // A vertex on the original is often too far from what is around it.
     for (const double share : {0.5, 0.3, 0.1, 0.03}) {
       const Vec3 between = here->point + share * (there->point - here->point);
-      const auto box = decimator.insert(made.faces()[here->triangle], here->point, between);
-      if (!box) continue;
-      changed.push_back(*box);
+      const auto changed = decimator.insert(made.faces()[here->triangle], here->point, between);
+      if (!changed) continue;
+      region.extend(*changed);
+      isChanged = true;
       break;
     }
+    regions.emplace_back(region.min().array() - error, region.max().array() + error);
   }
-  return changed;
+  return isChanged ? regions : std::vector<Box>();
 }
 
 // If a try exceeds the error between the points at which each collapse was checked, vertices are inserted there. If
@@ -85,26 +91,27 @@ void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, Decima
     report.cancelled = !decimator.run(whole.part(0.1, 0.7));
     if (report.cancelled) return;
     check.setError(kInsertedShare * *options.error);
-    std::optional<DistanceProof> proof;
-    std::vector<Box> changed;
+    DistanceProof proof;
+    std::vector<Box> regions;
     for (int k = 0; k <= kMostInsertions; ++k) {
       const Progress proving = whole.part(k == 0 ? 0.7 : 0.9, k == 0 ? 0.9 : 1.0);
       const SurfaceDistance made(mesh, proving.part(0.0, 0.1));
-      const double known = proof ? proof->bound : 0.0;
-      proof = proveWithin(made, surface, *options.error, proving.part(0.1, 1.0), changed);
+      const auto next = proveWithin(made, surface, *options.error, proving.part(0.1, 1.0), regions);
       report.cancelled = progress.cancelled();
-      if (report.cancelled || !proof) return;
-      proof->bound = std::max(proof->bound, known);
-      if (proof->isWithin(*options.error)) {
-        report.largestDistance = proof->bound;
+      if (report.cancelled || !next) return;
+      const bool helped = k == 0 || next->beyond.size() < proof.beyond.size();
+      proof = {std::max(proof.bound, next->bound), next->beyond};
+      if (proof.isWithin(*options.error)) {
+        report.largestDistance = proof.bound;
         return;
       }
-      changed = insertVertices(decimator, made, surface, proof->beyond);
-      if (changed.empty()) break;
-      for (Box& box : changed) box = Box(box.min().array() - *options.error, box.max().array() + *options.error);
+      // Inserted vertices are additional triangles, and not on creases.
+      if (!helped || options.faces > 0 || options.creaseAngle) break;
+      regions = insertVertices(decimator, made, surface, proof.beyond, *options.error, progress);
+      if (regions.empty()) break;
     }
-    addVerticesNear(surface, proof->beyond, reach, fixed, whole);
-    if (i == 0 && !proof->beyond.empty()) continue;
+    addVerticesNear(surface, proof.beyond, reach, fixed, whole);
+    if (i < kTriesAtFirstShare - 1 && !proof.beyond.empty()) continue;
     error *= kNextShare;
     ++density;
   }

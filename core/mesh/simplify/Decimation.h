@@ -24,9 +24,10 @@ struct DecimationOptions {
   std::size_t faces = 0;
   // The largest allowed distance between the result and the original in both directions, mm; above zero. Every collapse
   // is checked at points of the new faces, mostly on their edges, and at those sample points of the original (its
-  // vertices and some on each face) that are nearest to the new faces. The final result is verified (distanceWithin()).
-  // If that fails, it is made again without changes near the failure, and then with a smaller error, too; if that does
-  // not help, nothing is removed.
+  // vertices and some on each face) that are nearest to the new faces. The final result is verified (proveWithin()).
+  // Where that fails, vertices are inserted between the surfaces, unless a number of faces or creases are requested. If
+  // that does not help, the result is made again without changes near the failure, and then with a smaller error, too;
+  // at last, nothing is removed.
   std::optional<double> error = std::nullopt;
   bool keepBorders = false;  // vertices of open edges are neither moved nor removed
   // Smallest angle between the normals at an edge (radian) that makes it a crease. Vertices stay on their crease: they
@@ -56,9 +57,10 @@ struct DecimationReport {
 // and Heckbert, 1997). The topology (parts, handles and holes) stays, and no face flips. The quadrics are those of the
 // current faces around an edge, not accumulated over former ones: on scans the result is nearer to the original
 // (Lindstrom and Turk, "Fast and memory efficient polygonal simplification", 1998). Vertices at seams and at positions
-// that several vertices share stay. Remaining faces and vertices keep their numbers, though vertices move. The mesh is
-// valid afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces. With
-// DecimationMethod::Quadric, the quadrics are accumulated (docs/adr/0028-openmesh.md); everything else applies too.
+// that several vertices share stay. Remaining faces and vertices keep their numbers, though vertices move; inserted
+// ones get new numbers. The mesh is valid afterwards (validate()); if cancelled, it is unchanged. O(n log n) on
+// ordinary surfaces. With DecimationMethod::Quadric, the quadrics are accumulated (docs/adr/0028-openmesh.md);
+// everything else applies too.
 DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress = {});
 
 }  // namespace handwheel

@@ -92,7 +92,8 @@ bool ErrorTracker::isNear(const Vec3& p, Near& near) const {
 bool ErrorTracker::isEdgeNear(const Vec3& from, const Vec3& to, Near near) const {
   const double length = (to - from).norm();
   const double step = std::max(m_spacing / kEdgeDensity, length / kMostStepsOfEdge);
-  for (double at = 0.0; at < length; at += std::max(step, m_error - near.distance)) {
+  const auto next = [&](double at) { return at + std::max(step, m_error - near.distance); };
+  for (double at = next(0.0); at < length; at = next(at)) {
     if (!isNear(from + at / length * (to - from), near)) return false;
   }
   return true;
@@ -135,10 +136,15 @@ bool ErrorTracker::allows(std::span<const Face> old, std::span<const TrianglePoi
     }
   }
   Near near;
-  return replacements.empty() || (isNear(replacements[0][0], near) &&
-                                  std::all_of(replacements.begin(), replacements.end(), [&](const TrianglePoints& t) {
-                                    return isEdgeNear(t[0], t[1], near) && isInnerNear(t, near);
-                                  }));
+  if (replacements.empty()) return true;
+  if (!isNear(replacements[0][0], near)) return false;
+  const auto isSecond = [&](const Vec3& p) {
+    return std::any_of(replacements.begin(), replacements.end(), [&](const TrianglePoints& t) { return t[1] == p; });
+  };
+  return std::all_of(replacements.begin(), replacements.end(), [&](const TrianglePoints& t) {
+    // At a border, the last edge from the new corner belongs to one face only.
+    return isEdgeNear(t[0], t[1], near) && (isSecond(t[2]) || isEdgeNear(t[0], t[2], near)) && isInnerNear(t, near);
+  });
 }
 
 void ErrorTracker::replace(std::span<const Face> old, std::span<const Face> by) {

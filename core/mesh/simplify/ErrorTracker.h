@@ -57,7 +57,8 @@ class ErrorTracker {
   };
   // Returns true if a point is within the error of the original. The triangle of the previous point is tested first.
   bool isNear(const Vec3& p, Near& near) const;
-  // Between two tested points, an edge is as near as their distances allow, or they are one step apart.
+  // Returns true if points of an edge are within the error. `near` is that of its beginning, which is not tested again.
+  // The points are one step apart, or as far as the distance of the last one allows.
   bool isEdgeNear(const Vec3& from, const Vec3& to, Near near) const;
   bool isInnerNear(const TrianglePoints& t, Near near) const;
   bool isAssignedNear(std::uint32_t point);

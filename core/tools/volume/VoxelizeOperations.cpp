@@ -101,6 +101,34 @@ class AwayFromBorders {
   double m_margin = 0.0;        // mm
 };
 
+struct SamplePiece {
+  const VolumePiece* piece;
+  double weight;  // relative to other samples
+};
+
+// Returns all pieces of a small surface, weighted by their triangles; of a larger one, systematic samples: the pieces
+// of every nth triangle.
+std::vector<SamplePiece> samplePieces(const VolumeSurface& surface) {
+  constexpr double kTried = 40'000.0;  // triangles in all
+  const auto sizeOf = [](const VolumePiece& piece) { return static_cast<double>(piece.fine.corners.size() / 3); };
+  double total = 0.0, squares = 0.0;
+  for (const auto& [key, piece] : surface.pieces()) {
+    total += sizeOf(*piece);
+    squares += sizeOf(*piece) * sizeOf(*piece);
+  }
+  std::vector<SamplePiece> samples;
+  // A piece that is chosen in this way has squares / total triangles on average.
+  const double step = std::max(1.0, squares / kTried);
+  double end = 0.0, next = 0.5 * step;
+  for (const auto& [key, piece] : surface.pieces()) {
+    end += sizeOf(*piece);
+    double weight = total <= kTried ? sizeOf(*piece) : 0.0;
+    for (; total > kTried && next < end; next += step) ++weight;
+    if (weight > 0.0) samples.push_back({piece.get(), weight});
+  }
+  return samples;
+}
+
 constexpr double kSecondsAtLeast = 0.05;  // for starting and showing the mesh
 
 }  // namespace
@@ -154,34 +182,34 @@ const Operation& remeshOperation() {
 }
 
 RemeshPrediction predictRemesh(const VolumeSurface& surface, const OperationValues& values, Progress progress) {
-  constexpr std::size_t kTried = 40'000;  // triangles, and at least one piece
   const auto total = static_cast<double>(surface.triangleCount());
   const double wanted = values.whole("faces") > 0 ? static_cast<double>(values.whole("faces")) : total;
   DecimationOptions options = optionsOf(values);
-  const std::size_t pieces = surface.pieces().size();
-  const std::size_t step = std::max<std::size_t>(1, surface.triangleCount() / kTried);
-  double tried = 0.0, before = 0.0, after = 0.0, milliseconds = 0.0;
-  std::size_t number = 0;
-  for (const auto& [key, piece] : surface.pieces()) {
+  const std::vector<SamplePiece> pieces = samplePieces(surface);
+  double weights = 0.0, left = 0.0, milliseconds = 0.0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (progress.cancelled()) return {};
-    progress.set(static_cast<double>(number) / static_cast<double>(pieces));
-    if (number++ % step != 0) continue;
+    progress.set(static_cast<double>(i) / static_cast<double>(pieces.size()));
     HalfEdgeMesh mesh;
-    milliseconds += cpuMilliseconds([&] { mesh = meshOf(piece->fine); });
+    double spent = cpuMilliseconds([&] { mesh = meshOf(pieces[i].piece->fine); });
     const auto faces = static_cast<double>(mesh.liveFaceCount());
-    tried += faces;
-    if (!isReduced(values)) continue;
-    const AwayFromBorders inner(mesh);
-    before += inner.count(mesh);
-    options.faces = static_cast<std::size_t>(faces * std::min(1.0, values.given("error") ? 0.0 : wanted / total));
-    milliseconds += cpuMilliseconds([&] { (void)decimate(mesh, options, progress.part(0.0, 1.0)); });
-    after += inner.count(mesh);
+    if (faces == 0.0) continue;
+    double share = 1.0;
+    if (isReduced(values)) {
+      const AwayFromBorders inner(mesh);
+      const double before = inner.count(mesh);
+      options.faces = values.given("error") ? 0 : static_cast<std::size_t>(faces * std::min(1.0, wanted / total));
+      spent += cpuMilliseconds([&] { (void)decimate(mesh, options, progress.part(0.0, 1.0)); });
+      share = inner.count(mesh) / before;
+    }
+    weights += pieces[i].weight;
+    left += pieces[i].weight * share;
+    milliseconds += pieces[i].weight * spent / faces;
   }
-  const double share = before > 0.0 ? after / before : 1.0;
-  RemeshPrediction predicted{std::min(wanted, total), 0.0};
-  if (values.given("error")) predicted.triangles = std::max(values.whole("faces") > 0 ? wanted : 0.0, total * share);
-  if (tried > 0.0) predicted.seconds = kSecondsAtLeast + 1e-3 * milliseconds * total / tried;
-  return predicted;
+  if (weights == 0.0) return {};
+  const double least = values.whole("faces") > 0 ? wanted : 0.0;
+  return {values.given("error") ? std::max(least, total * left / weights) : std::min(wanted, total),
+          kSecondsAtLeast + 1e-3 * total * milliseconds / weights};
 }
 
 Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress) {

@@ -7,6 +7,10 @@
 #include "TestClass.h"
 #include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"
+#include "mesh/search/LargestDistance.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+#include "proximity/SelfIntersection.h"
 #include "tools/ToolRunner.h"
 #include "tools/volume/VoxelizeOperations.h"
 #include "volume/SurfaceToVolume.h"
@@ -303,6 +307,45 @@ class ReshapeToolTest : public QObject {
     QCOMPARE(fixture.document->history()->index(), 1);
   }
 
+  // A vertex is inserted at a point that is too far, or the mesh is made again: it stays closed and free of
+  // intersections, and is within the distance that is reported. Between plates, the nearest point is often on another
+  // plate, and some vertices cannot be inserted.
+  void remeshedWithinTheDistance_data() {
+    QTest::addColumn<bool>("isOfPlates");
+    QTest::addColumn<double>("error");
+    for (const double error : {0.05, 0.15}) {
+      QTest::addRow("two bodies, %g", error) << false << error;
+      QTest::addRow("plates, %g", error) << true << error;
+    }
+  }
+  void remeshedWithinTheDistance() {
+    QFETCH(bool, isOfPlates);
+    QFETCH(double, error);
+    TriangleSoup bodies;
+    if (isOfPlates) {
+      const auto turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+      for (int i = 0; i < 6; ++i) append(bodies, moved(cube(), Vec3(0.1, 0.2, 0.3 + 1.37 * i)));
+      for (Vec3& p : bodies.points) p = turn * Vec3(12.0 * p.x(), 12.0 * p.y(), p.z());
+    } else {
+      for (const double x : {0.1, 22.0}) append(bodies, moved(bumpySphere(4), Vec3(x, 0.2, 0.3), 10.0));
+    }
+    const SparseVolume volume = volumeOfSurface(bodies, 0.5)->volume;
+    const HalfEdgeMesh surface = buildMesh(surfaceOf(volume)).mesh;
+    OperationValues values(remeshOperation());
+    values.setValid("error", error);
+    const auto made = remesh(volume, values, {});
+    QVERIFY(made.hasValue());
+    QVERIFY(made->mesh.liveFaceCount() < surface.liveFaceCount() / 2);
+    QVERIFY(validate(made->mesh).empty());
+    const TriangleSoup soup = made->mesh.compact().soup;
+    QVERIFY(isClosedManifold(soup));
+    QVERIFY(selfIntersections(soup.points, soup.triangles)->empty());
+    QVERIFY(*made->largestDistance <= error);
+    // The bound of a fresh proof is at most this much above the distance.
+    const double distance = *largestDistance(made->mesh, surface) / (1.0 + kLargestDistanceSlack);
+    QVERIFY2(distance <= *made->largestDistance, qPrintable(QString::number(distance / error)));
+  }
+
   // The prediction is approximately the result: on round and on flat surfaces, for all three goals.
   void predictedTriangles() {
     for (const bool isRound : {true, false}) {
@@ -316,6 +359,7 @@ class ReshapeToolTest : public QObject {
       values.reset("faces");
       values.setValid("error", 0.1);
       const double predicted = predictRemesh(surface, values).triangles;
+      QVERIFY(predictRemesh(surface, values).seconds > 0.0);
       const auto made = remesh(volume, values, {});
       QVERIFY(made.hasValue());
       const auto faces = static_cast<double>(made->mesh.liveFaceCount());
