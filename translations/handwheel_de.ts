@@ -6488,10 +6488,6 @@
         <translation>Er hätte zu viele Dreiecke.</translation>
     </message>
     <message>
-        <source>It is as fine as its surroundings.</source>
-        <translation>Er ist so fein wie seine Umgebung.</translation>
-    </message>
-    <message>
         <source>Triangles of the patch</source>
         <translation>Dreiecke der Füllfläche</translation>
     </message>
@@ -8511,6 +8507,14 @@
         <source>Time for the repair, about (s)</source>
         <translation>Zeit für die Reparatur, etwa (s)</translation>
     </message>
+    <message>
+        <source>Its triangles touch without a common edge, or more than two share one.</source>
+        <translation>Seine Dreiecke berühren sich ohne gemeinsame Kante, oder mehr als zwei teilen sich eine.</translation>
+    </message>
+    <message>
+        <source>It is as fine as its surroundings, and even.</source>
+        <translation>Er ist so fein wie seine Umgebung und gleichmäßig.</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9069,6 +9073,28 @@
     <message>
         <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
         <translation>Ein Teil der Oberfläche, der %1 herausstand, wurde entfernt, bei X %2, Y %3, Z %4.</translation>
+    </message>
+    <message>
+        <source>The patch spans the hole without continuing the slopes around it; continuing them, it would bulge out or intersect the part.</source>
+        <translation>Die Füllfläche überspannt das Loch, ohne die Neigungen ringsum fortzusetzen; sonst würde sie sich hinauswölben oder das Teil durchdringen.</translation>
+    </message>
+    <message>
+        <source>The patch is by “%1”; the chosen method finds no valid patch.</source>
+        <translation>Die Füllfläche ist mit „%1“ gemacht; das gewählte Verfahren findet keine gültige.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) not continuing the slopes around</source>
+        <translation>
+            <numerusform>%n Füllfläche, die die Neigungen ringsum nicht fortsetzt</numerusform>
+            <numerusform>%n Füllflächen, die die Neigungen ringsum nicht fortsetzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) by another method than the chosen one</source>
+        <translation>
+            <numerusform>%n Füllfläche mit einem anderen als dem gewählten Verfahren</numerusform>
+            <numerusform>%n Füllflächen mit einem anderen als dem gewählten Verfahren</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10643,6 +10669,10 @@
     <message>
         <source>no two vertices can be merged so that an open edge closes and none gets a third triangle</source>
         <translation>keine zwei Eckpunkte lassen sich so zusammenführen, dass sich eine offene Kante schließt und keine ein drittes Dreieck bekommt</translation>
+    </message>
+    <message>
+        <source>Refining</source>
+        <translation>Wird verfeinert</translation>
     </message>
 </context>
 <context>
@@ -14065,10 +14095,6 @@
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>%1, by “%2”: the chosen method finds no valid patch</source>
-        <translation>%1, mit „%2“: die gewählte Methode findet keine gültige Füllfläche</translation>
     </message>
     <message>
         <source>Show the result of each method for this hole</source>

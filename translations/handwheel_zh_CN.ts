@@ -6483,10 +6483,6 @@
         <translation>三角形会过多。</translation>
     </message>
     <message>
-        <source>It is as fine as its surroundings.</source>
-        <translation>它已与周围一样细密。</translation>
-    </message>
-    <message>
         <source>Triangles of the patch</source>
         <translation>补片的三角形</translation>
     </message>
@@ -8506,6 +8502,14 @@
         <source>Time for the repair, about (s)</source>
         <translation>修复所需时间，约 (s)</translation>
     </message>
+    <message>
+        <source>Its triangles touch without a common edge, or more than two share one.</source>
+        <translation>其三角形相接触但没有公共边，或两个以上三角形共用一条边。</translation>
+    </message>
+    <message>
+        <source>It is as fine as its surroundings, and even.</source>
+        <translation>它与周围一样精细且均匀。</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9025,6 +9029,26 @@
     <message>
         <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
         <translation>已移除表面上突出 %1 的部分，位于 X %2、Y %3、Z %4。</translation>
+    </message>
+    <message>
+        <source>The patch spans the hole without continuing the slopes around it; continuing them, it would bulge out or intersect the part.</source>
+        <translation>补片跨越孔洞，未延续周围的坡度；若延续，它会鼓出或与零件相交。</translation>
+    </message>
+    <message>
+        <source>The patch is by “%1”; the chosen method finds no valid patch.</source>
+        <translation>补片由“%1”生成；所选方法找不到有效补片。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) not continuing the slopes around</source>
+        <translation>
+            <numerusform>%n 个补片未延续周围的坡度</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patch(es) by another method than the chosen one</source>
+        <translation>
+            <numerusform>%n 个补片未使用所选方法</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10589,6 +10613,10 @@
     <message>
         <source>no two vertices can be merged so that an open edge closes and none gets a third triangle</source>
         <translation>没有任何两个顶点可以合并，使开放边闭合且不产生连接第三个三角形的边</translation>
+    </message>
+    <message>
+        <source>Refining</source>
+        <translation>正在细化</translation>
     </message>
 </context>
 <context>
@@ -13972,10 +14000,6 @@
     <message>
         <source>Compare</source>
         <translation>比较</translation>
-    </message>
-    <message>
-        <source>%1, by “%2”: the chosen method finds no valid patch</source>
-        <translation>%1，用“%2”：所选方法找不到有效的补片</translation>
     </message>
     <message>
         <source>Show the result of each method for this hole</source>

@@ -64,6 +64,18 @@ std::string wordFor(LoopOutcome outcome) {
   return {};
 }
 
+std::string wordFor(Substitute substitute) {
+  switch (substitute) {
+    case Substitute::None:
+      return "none";
+    case Substitute::LessSmooth:
+      return "less-smooth";
+    case Substitute::OtherMethod:
+      return "other-method";
+  }
+  return {};
+}
+
 std::string outcomesText(const LoopCounts& loops) {
   QStringList parts = outcomeTexts(loops);
   if (loops.holes.all == 0) parts.prepend(QStringLiteral("No holes"));

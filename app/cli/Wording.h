@@ -15,6 +15,7 @@ namespace handwheel {
 
 // Returns the name of an outcome in reports.
 std::string wordFor(LoopOutcome outcome);
+std::string wordFor(Substitute substitute);
 // Returns the numbers of holes by outcome: "3 of 4 holes filled, 1 kept open". Without holes the text begins with "No
 // holes".
 std::string outcomesText(const LoopCounts& loops);

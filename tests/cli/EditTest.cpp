@@ -166,7 +166,8 @@ class EditTest : public QObject {
                              "two-sides",      "near-vertices",  "cut-crossings", "decimate",
                              "bridge",         "join",           "face",          "pull",
                              "smooth-edge",    "stroke",         "subdivide",     "level-back",
-                             "smooth-noise",   "subdivide-mesh", "add",           "unit"})
+                             "smooth-noise",   "subdivide-mesh", "add",           "unit",
+                             "refine"})
       QVERIFY2(QRegularExpression(QString("\n  (.*[,;|] )?%1\\b").arg(verb)).match(page).hasMatch(), verb);
   }
 };

@@ -102,6 +102,21 @@ QString fillMethodHint(FillMethod method) {
   return {};
 }
 
+QString substituteText(Substitute substitute, FillMethod method) {
+  switch (substitute) {
+    case Substitute::None:
+      return {};
+    case Substitute::LessSmooth:
+      return RepairWords::tr(
+          "The patch spans the hole without continuing the slopes around it; continuing them, it would bulge out or "
+          "intersect the part.");
+    case Substitute::OtherMethod:
+      return RepairWords::tr("The patch is by “%1”; the chosen method finds no valid patch.")
+          .arg(fillMethodName(method));
+  }
+  return {};
+}
+
 QString patchWarning(const PatchComparison& shape) {
   const auto degrees = [](double radian) { return QString::number(std::lround(radian / kRadiansPerDegree)); };
   if (shape.bendsMore())
@@ -198,6 +213,16 @@ QStringList repairSummary(const RepairReport& report, LengthUnit unit) {
   add(report.removedFlaps, [](int n) { return RepairWords::tr("%n dangling triangle(s) removed", nullptr, n); });
   add(report.removedDebris, [](int n) { return RepairWords::tr("%n triangle(s) of debris removed", nullptr, n); });
   add(report.mergedVertices, [](int n) { return RepairWords::tr("%n near vertex(ices) merged", nullptr, n); });
+  const auto patches = [&report](Substitute substitute) {
+    return static_cast<std::size_t>(
+        std::count_if(report.loops.begin(), report.loops.end(), [substitute](const LoopResult& loop) {
+          return loop.outcome == LoopOutcome::Filled && loop.newFaces > 0 && loop.substitute == substitute;
+        }));
+  };
+  add(patches(Substitute::LessSmooth),
+      [](int n) { return RepairWords::tr("%n patch(es) not continuing the slopes around", nullptr, n); });
+  add(patches(Substitute::OtherMethod),
+      [](int n) { return RepairWords::tr("%n patch(es) by another method than the chosen one", nullptr, n); });
   add(report.cutFaces, [](int n) { return RepairWords::tr("%n triangle(s) cut where patches intersect", nullptr, n); });
   add(report.cutClusters,
       [](int n) { return RepairWords::tr("self-intersections resolved at %n place(s)", nullptr, n); });

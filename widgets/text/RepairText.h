@@ -16,6 +16,9 @@ QString fillMethodName(FillMethod method);
 // Returns one sentence on when to choose a fill method.
 QString fillMethodHint(FillMethod method);
 
+// Returns a sentence on how a patch differs from what the user chose. The result is empty if it does not. method: the
+// method of the patch.
+QString substituteText(Substitute substitute, FillMethod method);
 // Returns the reason why the user should inspect a patch. The result is empty if the patch resembles its surroundings.
 QString patchWarning(const PatchComparison& shape);
 // Returns a sentence about material that a repair removed from the outside.

@@ -55,6 +55,7 @@ Json toJson(const LoopResult& loop) {
       {"edges", loop.edges},
       {"outcome", wordFor(loop.outcome)},
       {"method", filled ? Json(methodWord(loop.method)) : Json(nullptr)},
+      {"substitute", filled ? Json(wordFor(loop.substitute)) : Json(nullptr)},
       {"reason", filled ? Json(nullptr) : Json(reasonSentence(loop.reason))},
       {"new_faces", loop.newFaces},
       {"bend_deg", loop.shape.isKnown() ? Json(loop.shape.bend / kRadiansPerDegree) : Json(nullptr)},

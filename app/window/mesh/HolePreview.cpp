@@ -45,17 +45,45 @@ HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, const Fide
       m_services(services),
       m_fidelity(fidelity),
       m_runner(JobRunner::Policy::Latest, pool, this),
-      m_choice(std::make_shared<OperationValues>(fillOperation())),
-      m_usual(fillOptionsOf(*m_choice)) {
+      m_choice(std::make_shared<OperationValues>(fillOperation())) {
   connect(&fidelity, &FidelityChoice::changed, this, &HolePreview::followFidelity);
   followFidelity();
 }
 
+void HolePreview::setDocument(MeshTab* document) {
+  forget();
+  m_shown = document;
+  m_choice = document ? document->fillChoice : nullptr;
+  if (!m_choice) m_choice = std::make_shared<OperationValues>(fillOperation());
+  if (document) document->fillChoice = m_choice;
+  followFidelity();
+  emit changed();
+}
+
 void HolePreview::followFidelity() {
-  const FillOptions chosen = fillOptionsOf(*m_choice), before = std::exchange(m_usual, {});
-  apply(m_fidelity.values(), m_usual);
-  if (chosen.method == before.method) m_choice->setValid("fill", static_cast<double>(m_usual.method));
-  if (chosen.continuity == before.continuity) m_choice->setValid("continuity", static_cast<double>(m_usual.continuity));
+  FidelityValues values = m_fidelity.values();
+  if (m_shown) {
+    for (const FidelitySetting& setting : {fillMethodSetting(), fillContinuitySetting()}) {
+      const FidelityValues& chosen = m_shown->document.fillChoice();
+      if (chosen.overrides().contains(setting.id)) (void)values.set(setting, chosen.of(setting));
+    }
+  }
+  FillOptions options;
+  apply(values, options);
+  m_choice->setValid("fill", static_cast<double>(options.method));
+  m_choice->setValid("continuity", static_cast<double>(options.continuity));
+}
+
+void HolePreview::noteChoice() {
+  if (!m_shown) return;
+  const FillOptions chosen = fillOptionsOf(*m_choice);
+  FillOptions usual;
+  apply(m_fidelity.values(), usual);
+  FidelityValues choice;
+  if (chosen.method != usual.method) setMethod(choice, chosen.method);
+  if (chosen.continuity != usual.continuity)
+    (void)choice.set(fillContinuitySetting(), static_cast<double>(chosen.continuity));
+  if (choice != m_shown->document.fillChoice()) m_shown->document.setFillChoice(std::move(choice));
 }
 
 FillOptions HolePreview::optionsFor(Vertex key) const {
@@ -70,6 +98,7 @@ FillOptions HolePreview::optionsFor(Vertex key) const {
 }
 
 void HolePreview::request(MeshTab* document, int loop) {
+  noteChoice();
   if (!document || loop < 0) document = nullptr;
   const std::uint64_t revision = document ? document->document.revision() : 0;
   const Vertex key = document ? document->defectList.keyOf(loop) : kNone;
@@ -132,6 +161,7 @@ void HolePreview::finished(std::uint64_t request, FillAttempt attempt, const Pat
   m_state.kind = attempt.failure == FillFailure::None ? PreviewState::Kind::Ready : PreviewState::Kind::Failed;
   m_state.triangles = attempt.patch.triangles.size();
   m_state.method = attempt.patch.method;
+  m_state.substitute = substituteIn(attempt.patch, m_options);
   m_state.failure = attempt.failure;
   m_state.shape = shape;
   m_attempt = std::move(attempt);

@@ -41,9 +41,13 @@ class HolePreview : public QObject {
   // Requests the shown preview anew, if the options have changed.
   void refresh() { request(m_document, m_loop); }
 
-  // The options for filling holes one by one; the tool changes them. They are separate from the fidelity settings,
-  // which "Repair all" uses. A value follows its fidelity setting only while the two are equal.
+  // Sets the document whose options are shown and used. Clears the preview.
+  void setDocument(MeshTab* document);
+  // The options for filling holes of the document one by one; the tool changes them, and noteChoice() must be called
+  // then. They are separate from the fidelity settings, which "Repair all" uses. Method and continuity follow these
+  // until the user chooses others for the document.
   const std::shared_ptr<OperationValues>& choice() const { return m_choice; }
+  void noteChoice();
   FillMethod method() const { return fillOptionsOf(*m_choice).method; }
   // Clears the preview and drops all cached data, because the document changes.
   void forget();
@@ -75,13 +79,13 @@ class HolePreview : public QObject {
   const FidelityChoice& m_fidelity;
   ServiceHandle m_need;  // held while a preview is wanted
   JobRunner m_runner;
-  MeshTab* m_document = nullptr;
+  MeshTab* m_shown = nullptr;     // the document in the window
+  MeshTab* m_document = nullptr;  // the document of the preview; null: none is wanted
   std::uint64_t m_revision = 0;
   Vertex m_key = kNone;
   int m_loop = -1;
   FillOptions m_options;
   std::shared_ptr<OperationValues> m_choice;
-  FillOptions m_usual;           // the fidelity settings that the choice last followed
   Vertex m_bridgedLoop = kNone;  // the key of the loop with the user's bridges
   std::vector<HoleBridge> m_bridges;
   std::uint64_t m_request = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/Operation.h"
 #include "document/mesh/MeshDocument.h"
 #include "mesh/repair/Repair.h"
 #include "panels/defects/DefectList.h"
@@ -30,11 +31,12 @@ struct MeshTab : DocumentTab {
 
   MeshDocument& document;
   DefectList defectList;
-  const HalfEdgeMesh asOpened;               // shares unchanged pages with the present mesh
-  std::shared_ptr<MeshDeviation> deviation;  // the comparison that is shown; null: none
-  Vertex selected = kNone;                   // DefectList::keyOf() of the selected loop
-  std::optional<HistoryPoint> repairedAt;    // state after the last "Repair all"
-  FidelityValues repairedWith;               // settings of the last "Repair all"
+  const HalfEdgeMesh asOpened;                  // shares unchanged pages with the present mesh
+  std::shared_ptr<MeshDeviation> deviation;     // the comparison that is shown; null: none
+  Vertex selected = kNone;                      // DefectList::keyOf() of the selected loop
+  std::shared_ptr<OperationValues> fillChoice;  // the options for filling holes one by one; null until they are needed
+  std::optional<HistoryPoint> repairedAt;       // state after the last "Repair all"
+  FidelityValues repairedWith;                  // settings of the last "Repair all"
   std::optional<HistoryPoint> fixedAt;  // state after the last "Repair all" or fix of a defect that changed the mesh
   std::map<HistoryPoint, RepairFindings> findings;  // findings after each repair or fix, for undo and redo
 

@@ -198,6 +198,7 @@ void MeshTools::followSelection() {
 
 // Dropped in the tool. What works on an edge needs the hole free of a patch, and the keys of the list.
 void MeshTools::followTool() {
+  m_preview.noteChoice();
   const BoundaryTool* boundary = runningBoundaryTool();
   if (boundary && boundary->isBusy() && m_selection.loop() >= 0) m_selection.select(-1);
   const FillHoleTool* tool = runningFillTool();

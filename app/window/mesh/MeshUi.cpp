@@ -209,7 +209,7 @@ void MeshUi::logMark(const MeshTab& open) {
 void MeshUi::setDocument(DocumentTab* document) {
   m_selection.setDocument(nullptr);  // the parts below read it: its loop is one of the document before
   m_document = static_cast<MeshTab*>(document);
-  m_preview.forget();
+  m_preview.setDocument(m_document);
   m_defectActions.setDocument(m_document);  // before the panel chooses none of its rows
   if (m_panel) m_panel->setDefectList(m_document ? &m_document->defectList : nullptr);
   m_scene->setDocument(m_document);

@@ -22,6 +22,7 @@ MeshDocument::MeshDocument(OpenedFile opened, QObject* parent)
   m_reversedFaces = m_build->reversedFaces;
   if (content.asInFile) beginWithReversal(*content.asInFile);
   if (content.levels) keepLevels(*content.levels);
+  m_fillChoice = content.fillChoice;
 }
 
 void MeshDocument::beginWithReversal(const InspectedMesh& asInFile) {
@@ -54,6 +55,7 @@ SnapshotPointer MeshDocument::snapshot() const {
   snapshot->keptOpen = m_keptOpen;
   snapshot->numbers = m_numbers;
   if (const PatchLevels* found = levels()) snapshot->levels = std::make_shared<const PatchLevels>(*found);
+  snapshot->fillChoice = m_fillChoice;
   return snapshot;
 }
 

@@ -44,6 +44,11 @@ class MeshDocument : public Document {
   const FidelityValues& fidelity() const { return m_fidelity; }
   void setFidelity(FidelityValues values) { m_fidelity = std::move(values); }
 
+  // The user's choices of mesh.fill_method and mesh.fill_continuity for filling holes of this document one by one. They
+  // are saved with the document, but are not part of the undo history.
+  const FidelityValues& fillChoice() const { return m_fillChoice; }
+  void setFillChoice(FidelityValues values) { m_fillChoice = std::move(values); }
+
   using Document::commit;
   // Sets the mesh to `after` as one undo step. Returns false, and adds no step, if nothing differs. Takes time
   // proportional to the change. The step is stored according to the setting document.undo_granularity. step: as in
@@ -76,6 +81,7 @@ class MeshDocument : public Document {
   std::set<Vertex> m_keptOpen;
   SubdivisionLevelStore m_levels;
   FidelityValues m_fidelity;
+  FidelityValues m_fillChoice;
 };
 
 }  // namespace handwheel

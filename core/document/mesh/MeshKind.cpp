@@ -130,6 +130,10 @@ void MeshKind::save(const Snapshot& content, Container& container) const {
   document["numbers"] = mesh.numbers == NumberType::Float32 ? "float32" : "float64";
   document["kept_open"] = mesh.keptOpen;
   document["turned_faces"] = turned.size();
+  for (const FidelitySetting& setting : {fillMethodSetting(), fillContinuitySetting()}) {
+    const auto chosen = mesh.fillChoice.overrides().find(setting.id);
+    if (chosen != mesh.fillChoice.overrides().end()) document["fill"][setting.id] = textOf(setting, chosen->second);
+  }
   writeArray<std::uint32_t>(container, kTurnedFaces, turned);
   writeMeshBlobs(mesh.mesh.mesh, container);
   writeLevelBlobs(hasLevels(mesh) ? mesh.levels.get() : nullptr, container);
@@ -145,6 +149,19 @@ std::set<Vertex> keptOpenOf(const nlohmann::json& document, std::size_t vertices
     if (entry.is_number_unsigned() && entry.get<std::uint64_t>() < vertices) keys.insert(entry.get<Vertex>());
   }
   return keys;
+}
+
+// Words of later versions are ignored.
+FidelityValues fillChoiceOf(const nlohmann::json& document) {
+  FidelityValues choice;
+  const nlohmann::json fill = document.value("fill", nlohmann::json::object());
+  if (!fill.is_object()) return choice;
+  for (const FidelitySetting& setting : {fillMethodSetting(), fillContinuitySetting()}) {
+    const nlohmann::json word = fill.value(setting.id, nlohmann::json());
+    const auto value = valueOf(setting, word.is_string() ? word.get<std::string>() : std::string());
+    if (value) (void)choice.set(setting, *value);
+  }
+  return choice;
 }
 
 std::vector<Face> reversedFacesOf(const nlohmann::json& document, const Container& container,
@@ -179,6 +196,7 @@ Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<E
   snapshot->levels =
       readLevelBlobs(*found, container, loaded->isWhole ? &loaded->mesh : nullptr, damage, progress.part(0.4, 0.5));
   snapshot->build = std::make_shared<const BuildReport>(std::move(report));
+  snapshot->fillChoice = fillChoiceOf(*found);
   snapshot->mesh = inspected(std::move(loaded->mesh), m_nearWeld, progress.part(0.5, 1.0));
   snapshot->numbers =
       found->value("numbers", nlohmann::json()) == "float32" ? NumberType::Float32 : NumberType::Float64;

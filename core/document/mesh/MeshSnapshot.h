@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Fidelity.h"
 #include "document/Snapshot.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/sculpt/PatchLevels.h"
@@ -20,6 +21,7 @@ struct MeshSnapshot : Snapshot {
   // The mesh with the face directions of the file, if faces were reversed when it was read; otherwise, and in snapshots
   // of an open document, null.
   std::shared_ptr<const InspectedMesh> asInFile;
+  FidelityValues fillChoice;                  // the value of MeshDocument::fillChoice()
   std::shared_ptr<const PatchLevels> levels;  // subdivision levels whose finest mesh is this one; null: none
 };
 

@@ -8,6 +8,7 @@
 #include "mesh/holes/EarClipping.h"
 #include "mesh/holes/HoleDecomposition.h"
 #include "mesh/holes/MinimalTriangulation.h"
+#include "mesh/holes/PatchRefinement.h"
 #include "mesh/structure/EdgeTable.h"
 
 #include <algorithm>
@@ -216,6 +217,15 @@ class CreaseFiller {
     return chords;
   }
 
+  // Returns the pairs of points of a piece that the surface joins already, or a curve does.
+  JoinedPoints joinedIn(const Piece& piece) const {
+    JoinedPoints joined = m_obstacles.edgesAmong(piece.hole.loop());
+    const std::vector<Edge> chords = chordsOfCurves(piece);
+    joined.insert(joined.end(), chords.begin(), chords.end());
+    std::sort(joined.begin(), joined.end());
+    return joined;
+  }
+
   bool fill(const HolePiece& loop) {
     Piece piece = pieceOf(loop);
     std::optional<Patch> made;
@@ -223,7 +233,8 @@ class CreaseFiller {
       made = triangulateOptimal(piece.hole, Criterion::Dihedral, chordsOfCurves(piece), m_progress);
     }
     if (!made) made = clipEars(piece.hole, m_obstacles, {}, m_progress);
-    if (made) made = refinePatch(piece.hole, *made, m_continuity, m_density, m_progress);
+    if (made) made = refinePatch(piece.hole, *made, m_density, joinedIn(piece), m_progress);
+    if (made) made = fairPatch(piece.hole, std::move(*made), m_continuity, m_progress);
     if (!made) return false;
     for (std::size_t i = made->loopSize; i < made->points.size(); ++i) {
       piece.number.push_back(static_cast<std::uint32_t>(m_patch.points.size()));

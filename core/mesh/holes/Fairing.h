@@ -4,17 +4,11 @@
 
 #include "base/Geometry.h"
 #include "base/Progress.h"
+#include "mesh/holes/Patch.h"
 
 #include <vector>
 
 namespace handwheel {
-
-// The continuity between a faired surface and its fixed neighbours.
-enum class Continuity {
-  Position,   // equal positions: a membrane, whose area is as small as its initial shape allows
-  Tangent,    // also equal tangents: a thin plate of least bending
-  Curvature,  // also equal curvature: least variation of bending
-};
 
 // Fairs a surface by moving its free points to the least energy. The energy is Σ |∇x|² over the triangles (order 1) for
 // Position, Σ |Δx|² · area over the vertices (order 2) for Tangent, and Σ |∇Δx|² over the triangles (order 3) for

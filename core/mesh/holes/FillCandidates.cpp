@@ -16,6 +16,11 @@ namespace {
 // space. One may get stuck where another does not.
 constexpr EarWeights kEarWeights[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
 
+// A loop is nearly flat if its height along its normal is at most this fraction of its size. Its patch, seen along the
+// normal, may cover at most kFlatOverhang more than the loop does, unless it bends with the surroundings.
+constexpr double kFlatLoop = 0.1;
+constexpr double kFlatOverhang = 0.01;
+
 constexpr double kChordPart = 0.5;  // share of the progress for the search for bridges that divide a loop
 
 bool isOptimal(FillMethod method) {
@@ -34,23 +39,33 @@ const std::optional<Patch>& FillCandidates::Start::get() {
   return m_made;
 }
 
-FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacles, const FillOptions& options)
+const std::optional<Patch>& FillCandidates::Start::refined(const std::function<Made(const Patch&)>& refine) {
+  if (!m_isRefined && get()) m_refined = refine(*m_made);
+  m_isRefined = true;
+  return m_refined;
+}
+
+FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacles, const JoinedPoints& joined,
+                               const FillOptions& options)
     : m_hole(hole),
       m_obstacles(obstacles),
+      m_joined(joined),
       m_options(options),
       m_pieceEdges(isOptimal(options.method) ? std::min(options.pieceEdges, optimalPiece(hole.loopSize))
                                              : options.pieceEdges),
-      m_isCut(!options.bridges.empty() || hole.loopSize > m_pieceEdges) {
+      m_isCut(!options.bridges.empty() || hole.loopSize > m_pieceEdges),
+      m_flat([this] { return flat(); }) {
   if (m_isCut) m_starts.emplace_back([this] { return inPieces(FillMethod::Minimal); });
   m_starts.emplace_back([this] { return triangulateMinimal(m_hole, m_progress); });
   for (std::size_t i = 0; i < kBalanced; ++i) m_starts.emplace_back([this, i] { return ears(m_hole, i, m_progress); });
 
   add(options.method);
-  m_own = m_makers.size();
+  m_ranked = m_makers.size();
   if (!options.tryOthers) return;
   for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
     const bool isAdded = m == options.method || (m == FillMethod::Fair && options.method == FillMethod::Crease);
     if (!isAdded) add(m);
+    if (m == FillMethod::Refined && hasEvenTriangles()) m_ranked = m_makers.size();
   }
   // The least bend decides among these, but takes long.
   if (hole.loopSize <= tolerance::kOptimalFillEdges && options.method != FillMethod::Dihedral)
@@ -89,6 +104,7 @@ void FillCandidates::add(FillMethod method) {
       break;
     case FillMethod::Crease:
       for (Continuity continuity : continuities()) {
+        if (continuity == Continuity::Position) continue;  // creases do not bulge
         m_makers.push_back([this, continuity] {
           return fillAlongCreases(m_hole, m_obstacles, m_options.density, continuity, m_progress);
         });
@@ -103,18 +119,61 @@ void FillCandidates::add(FillMethod method) {
   }
 }
 
-// Returns the wanted continuity, then its substitute if the patch bulges too far or cannot be computed.
+bool FillCandidates::hasEvenTriangles() const {
+  return m_options.method == FillMethod::Fair || m_options.method == FillMethod::Crease ||
+         m_options.method == FillMethod::Refined;
+}
+
+// Returns the wanted continuity, then its substitutes if the patch bulges too far or cannot be computed. A membrane
+// never bulges; but who wanted tangents and gets none has another patch.
 std::vector<Continuity> FillCandidates::continuities() const {
-  if (m_options.continuity != Continuity::Curvature) return {m_options.continuity};
-  return {Continuity::Curvature, Continuity::Tangent};
+  std::vector<Continuity> all{m_options.continuity};
+  if (m_options.continuity == Continuity::Curvature) all.push_back(Continuity::Tangent);
+  if (m_options.continuity != Continuity::Position && m_options.tryOthers) all.push_back(Continuity::Position);
+  return all;
 }
 
 void FillCandidates::addRefined(std::optional<Continuity> bent) {
-  for (Start& start : m_starts) {
+  const auto addFrom = [this, bent](Start& start) {
     m_makers.push_back([this, &start, bent]() -> Made {
-      return start.get() ? refinePatch(m_hole, *start.get(), bent, m_options.density, m_progress) : std::nullopt;
+      const Made& even = start.refined([this](const Patch& patch) { return refined(patch); });
+      return even && bent ? fairPatch(m_hole, *even, *bent, m_progress) : even;
     });
+  };
+  if (m_options.bridges.empty()) addFrom(m_flat);
+  for (Start& start : m_starts) addFrom(start);
+}
+
+FillCandidates::Made FillCandidates::refined(const Patch& start) const {
+  return refinePatch(m_hole, start, m_options.density, m_joined, m_progress);
+}
+
+std::vector<Patch> FillCandidates::evenVersions(const Patch& patch, Progress progress) {
+  m_progress = progress;
+  std::vector<Patch> versions;
+  if (!hasEvenTriangles()) return versions;
+  Made even = refined(patch);
+  if (!even) return versions;
+  if (Made membrane = fairPatch(m_hole, *even, Continuity::Position, progress)) versions.push_back(*membrane);
+  versions.push_back(std::move(*even));
+  return versions;
+}
+
+FillCandidates::Made FillCandidates::flat() {
+  return heightOf(m_hole) <= kFlatLoop * m_hole.size() ? triangulateFlat(m_hole, m_progress) : std::nullopt;
+}
+
+// The triangles of a patch that stays inside project to as much area as the outline.
+bool FillCandidates::spansOutside(const Patch& patch) {
+  if (!m_flat.get()) return false;
+  const Vec3 vectorArea = vectorAreaOf(m_hole);
+  const Vec3 normal = vectorArea.stableNormalized();
+  double covered = 0.0;
+  for (const Triangle& t : patch.triangles) {
+    const Vec3 &a = patch.points[t[0]], &b = patch.points[t[1]], &c = patch.points[t[2]];
+    covered += 0.5 * std::abs((b - a).cross(c - a).dot(normal));
   }
+  return covered > (1.0 + kFlatOverhang) * 0.5 * vectorArea.norm();
 }
 
 FillCandidates::Made FillCandidates::inPieces(FillMethod method) {

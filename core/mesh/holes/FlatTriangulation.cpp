@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <algorithm>
 
 namespace handwheel {
 namespace {
@@ -20,15 +21,6 @@ using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, Marked>;
 using Planar =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_tag>;
-
-// Twice the vector area of the loop: the normal of its best plane (Newell).
-Vec3 vectorArea(const HoleContext& hole) {
-  Vec3 sum = Vec3::Zero();
-  const Vec3& origin = hole.points.front();
-  for (std::size_t i = 0; i < hole.loopSize; ++i)
-    sum += (hole.points[i] - origin).cross(hole.points[(i + 1) % hole.loopSize] - origin);
-  return sum;
-}
 
 // Adds the loop as seen against the normal, counter-clockwise. Returns false if its projection crosses or touches
 // itself.
@@ -79,8 +71,27 @@ std::vector<Triangle> inside(Planar& planar) {
 
 }  // namespace
 
+Vec3 vectorAreaOf(const HoleContext& hole) {
+  Vec3 sum = Vec3::Zero();
+  const Vec3& origin = hole.points.front();
+  for (std::size_t i = 0; i < hole.loopSize; ++i)
+    sum += (hole.points[i] - origin).cross(hole.points[(i + 1) % hole.loopSize] - origin);
+  return sum;
+}
+
+double heightOf(const HoleContext& hole) {
+  const Vec3 normal = vectorAreaOf(hole).stableNormalized();
+  double low = 0.0, high = 0.0;
+  for (std::size_t i = 0; i < hole.loopSize; ++i) {
+    const double height = (hole.points[i] - hole.points.front()).dot(normal);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  return high - low;
+}
+
 std::optional<Patch> triangulateFlat(const HoleContext& hole, Progress progress) {
-  const Vec3 area = vectorArea(hole);
+  const Vec3 area = vectorAreaOf(hole);
   const Vec3 normal = area.stableNormalized();
   if (hole.loopSize < 3 || !area.allFinite() || area.isZero(0.0)) return std::nullopt;
   const QuietCgal quiet;

@@ -38,6 +38,12 @@ std::vector<Face> facesAround(const HalfEdgeMesh& mesh, const BoundaryLoop& loop
 
 }  // namespace
 
+double HoleContext::size() const {
+  Box box;
+  for (std::size_t i = 0; i < loopSize; ++i) box.extend(points[i]);
+  return box.diagonal().norm();
+}
+
 Vec3 HoleContext::outward() const {
   const Vec3 middle =
       std::accumulate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize), Vec3(Vec3::Zero())) /

@@ -20,6 +20,7 @@ struct HoleContext {
   Box ringBox;                     // bounding box of loop and ring
 
   std::vector<Vec3> loop() const { return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize)}; }
+  double size() const;  // diagonal of the bounding box of the loop
   // Returns the outward direction of the loop: a unit vector for a flat convex loop, shorter if the loop bends or
   // folds.
   Vec3 outward() const;

@@ -23,8 +23,6 @@ constexpr std::size_t kJudgeEffort = 4;
 // For longer loops, the first acceptable patch is taken, because the user is waiting.
 constexpr std::size_t kComparedEdges = 500;
 
-using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
-
 // Returns true if the triangles form a surface whose only border is the reversed loop.
 bool closesLoop(const Patch& patch) {
   if (patch.triangles.empty()) return false;
@@ -84,14 +82,14 @@ bool swells(const HoleContext& hole, const Patch& patch, const Box& model) {
 }
 
 // Returns true if a diagonal of the patch joins two loop points that an edge of the surface already joins.
-bool doublesAnEdge(const Patch& patch, const Edges& existing) {
+bool doublesAnEdge(const Patch& patch, const JoinedPoints& joined) {
   const auto n = static_cast<std::uint32_t>(patch.loopSize);
   for (const Triangle& t : patch.triangles) {
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
       if (a >= n || b >= n || a == (b + 1) % n || b == (a + 1) % n) continue;
       const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(a, b);
-      if (std::binary_search(existing.begin(), existing.end(), edge)) return true;
+      if (std::binary_search(joined.begin(), joined.end(), edge)) return true;
     }
   }
   return false;
@@ -117,8 +115,8 @@ struct HoleFiller::State {
     return loop;
   }
 
-  FillFailure judge(const HoleContext& hole, const Edges& existing, Patch& patch, const FillOptions& options,
-                    Progress progress) const {
+  FillFailure judge(const HoleContext& hole, FillCandidates& candidates, const JoinedPoints& joined, Patch& patch,
+                    const FillOptions& options, Progress progress) const {
     for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
       if (!patch.points[i].allFinite()) return FillFailure::NoPatch;
       patch.points[i] = rounded(patch.points[i], options.numbers);
@@ -127,8 +125,10 @@ struct HoleFiller::State {
     }
     if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
     if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
-    if (!options.mayCross && doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
-    if (swells(hole, patch, obstacles.bounds())) return FillFailure::Bulging;
+    if (!options.mayCross && doublesAnEdge(patch, joined)) return FillFailure::NoPatch;
+    const bool isBent = patch.continuity.value_or(Continuity::Position) != Continuity::Position;
+    if (swells(hole, patch, obstacles.bounds()) || (!isBent && candidates.spansOutside(patch)))
+      return FillFailure::Bulging;
     return !options.mayCross && obstacles.hits(patch, progress) ? FillFailure::SelfIntersecting : FillFailure::None;
   }
 
@@ -145,8 +145,8 @@ FillAttempt HoleFiller::State::propose(const BoundaryLoop& loop, const FillOptio
   FillAttempt attempt{FillFailure::NoPatch, {}};
   if (loop.halfEdges.size() < 3) return attempt;
   const HoleContext hole = holeContext(mesh, loop);
-  const Edges existing = obstacles.edgesAmong(hole.loop());
-  FillCandidates candidates(hole, obstacles, options);
+  const JoinedPoints joined = obstacles.edgesAmong(hole.loop());
+  FillCandidates candidates(hole, obstacles, joined, options);
   constexpr double kNoBend = std::numeric_limits<double>::infinity();
   double leastBend = kNoBend;  // radian
   FillAttempt best;
@@ -160,19 +160,27 @@ FillAttempt HoleFiller::State::propose(const BoundaryLoop& loop, const FillOptio
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     if (!patch) continue;
     progress.spend(kJudgeEffort * patch->triangles.size());
-    const FillFailure failure = judge(hole, existing, *patch, options, span.part(0.7, 1.0));
+    const FillFailure failure = judge(hole, candidates, joined, *patch, options, span.part(0.7, 1.0));
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     if (failure != FillFailure::None) {
       attempt.failure = std::max(attempt.failure, failure);
       continue;
     }
-    if (i < candidates.ownCount() || hole.loopSize > kComparedEdges) return {failure, std::move(*patch)};
+    if (i < candidates.rankedCount() || hole.loopSize > kComparedEdges) return {failure, std::move(*patch)};
     // Among the substitutes of the chosen method, the one that bends least is taken.
     const double bend = statisticsOf(mesh, loop, *patch).largestBend;
     if (bend < leastBend) best = {failure, std::move(*patch)};
     leastBend = std::min(leastBend, bend);
   }
-  if (leastBend < kNoBend) return best;
+  if (leastBend < kNoBend) {
+    for (Patch& even : candidates.evenVersions(best.patch, progress)) {
+      progress.spend(kJudgeEffort * even.triangles.size());
+      if (judge(hole, candidates, joined, even, options, progress) == FillFailure::None)
+        return {FillFailure::None, std::move(even)};
+    }
+    if (progress.cancelled()) return {FillFailure::Cancelled, {}};
+    return best;
+  }
   if (loop.isSheetBoundary) return attempt;  // a repair leaves it as it is
   const double reach = tolerance::kNearWeld * obstacles.bounds().diagonal().norm();
   if (!findBoundaryNeedles(mesh, {&loop, 1}, reach).empty()) attempt.failure = FillFailure::NarrowTriangles;
@@ -211,6 +219,11 @@ void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {
   for (Vec3& p : atWork.points) p = m_state->scale.toWork(p);
   insertPatch(m_state->mesh, loop, atWork);
   m_state->obstacles.add(atWork);
+}
+
+Substitute substituteIn(const Patch& patch, const FillOptions& options) {
+  if (patch.method != options.method) return Substitute::OtherMethod;
+  return patch.continuity.value_or(options.continuity) < options.continuity ? Substitute::LessSmooth : Substitute::None;
 }
 
 void insertPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {

@@ -57,6 +57,16 @@ struct FillOptions {
   std::set<PointKey> keptCorners = {};
 };
 
+// The difference of a patch from what the options ask for.
+enum class Substitute {
+  None,
+  LessSmooth,   // the chosen method, but less continuity with the surroundings
+  OtherMethod,  // another method
+};
+
+// Returns how a patch differs from what the options ask for.
+Substitute substituteIn(const Patch& patch, const FillOptions& options);
+
 // The result of an attempt to fill a hole: a patch, or the failure.
 struct FillAttempt {
   FillFailure failure = FillFailure::None;

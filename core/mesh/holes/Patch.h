@@ -4,6 +4,7 @@
 
 #include "base/Geometry.h"
 
+#include <optional>
 #include <vector>
 
 namespace handwheel {
@@ -24,6 +25,13 @@ enum class FillMethod {
   Removed,         // cleaning removed every face around the hole; used only by repairs
 };
 
+// The continuity between a faired surface and its fixed neighbours.
+enum class Continuity {
+  Position,   // equal positions: a membrane, whose area is as small as its initial shape allows
+  Tangent,    // also equal tangents: a thin plate of least bending
+  Curvature,  // also equal curvature: least variation of bending
+};
+
 // A bridge across a hole: an edge between two points of its loop, given by their indices.
 struct HoleBridge {
   std::uint32_t a = 0;
@@ -38,7 +46,8 @@ struct Patch {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   FillMethod method = FillMethod::Fair;
-  std::vector<HoleBridge> bridges = {};  // the bridges along which the loop was cut into pieces
+  std::vector<HoleBridge> bridges = {};       // the bridges along which the loop was cut into pieces
+  std::optional<Continuity> continuity = {};  // set if the patch was faired
 };
 
 }  // namespace handwheel

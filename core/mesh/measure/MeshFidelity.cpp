@@ -132,6 +132,11 @@ FillMethod fillMethodOf(const FidelityValues& values) {
   return kMethods[static_cast<std::size_t>(values.of(fillMethodSetting()))];
 }
 
+void setMethod(FidelityValues& values, FillMethod method) {
+  const auto at = std::find(std::begin(kMethods), std::end(kMethods), method) - std::begin(kMethods);
+  (void)values.set(fillMethodSetting(), static_cast<double>(at));
+}
+
 Continuity fillContinuityOf(const FidelityValues& values) {
   return static_cast<Continuity>(values.of(fillContinuitySetting()));
 }

@@ -19,6 +19,7 @@ FidelitySetting undoGranularitySetting();  // document.undo_granularity, for Mes
 
 // Returns the chosen fill method: Ear, Minimal, Refined, Fair, Area, Dihedral or Crease.
 FillMethod fillMethodOf(const FidelityValues& values);
+void setMethod(FidelityValues& values, FillMethod method);
 Continuity fillContinuityOf(const FidelityValues& values);
 
 // Copies the chosen values into the options of a fill or a repair. Other options are unchanged.

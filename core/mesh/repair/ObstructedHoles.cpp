@@ -58,6 +58,7 @@ class Closer {
         m_before(mesh),
         m_holes(holes),
         m_owners(mesh, numbered(holes)),
+        m_wanted(options),
         m_options(options),
         m_thickness(thickness),
         m_effort(progress.share(std::numeric_limits<std::size_t>::max())),
@@ -168,7 +169,7 @@ class Closer {
   void closeBy(const Proposal& p, ObstructedClosing& hole) const {
     const PatchComparison shape = compared(m_mesh, p.loop, *p.patch);
     const PatchComparison worst = hole.closed && hole.shape.bend > shape.bend ? hole.shape : shape;
-    hole = {true, p.patch->method, hole.newFaces + p.patch->triangles.size(), worst};
+    hole = {true, p.patch->method, substituteIn(*p.patch, m_wanted), hole.newFaces + p.patch->triangles.size(), worst};
   }
 
   void keep(const Submesh& part, const PatchTrial& trial, const std::vector<const Proposal*>& chosen) {
@@ -230,7 +231,7 @@ class Closer {
     const SheetTrial made = thickenAt(mesh, loops, m_thickness, m_options.numbers, m_progress.within(effort));
     for (std::size_t i = 0; i < backs.size(); ++i) {
       if (made.isThickened[i])
-        closings[backs[i]->hole] = {true, FillMethod::ThickenedSheet, 0};
+        closings[backs[i]->hole] = {true, FillMethod::ThickenedSheet};
       else
         m_result.holes[backs[i]->hole].failure = FillFailure::SheetTooThin;
     }
@@ -277,7 +278,8 @@ class Closer {
   HalfEdgeMesh m_before;
   std::span<const ObstructedHole> m_holes;
   BoundaryOwners m_owners;
-  FillOptions m_options;
+  const FillOptions m_wanted;
+  FillOptions m_options;  // for the present attempt
   double m_thickness;
   WorkBudget m_effort;
   Progress m_progress;

@@ -20,7 +20,8 @@ struct ObstructedHole {
 struct ObstructedClosing {
   bool closed = false;
   FillMethod method = FillMethod::Fair;
-  std::size_t newFaces = 0;    // number of new faces before any cuts
+  Substitute substitute = Substitute::None;  // difference of the patch from the options
+  std::size_t newFaces = 0;                  // number of new faces before any cuts
   PatchComparison shape = {};  // shape of the patch before any cuts; of several patches, the one that bends most
   bool isCutShort = false;     // true if not closed because a trial took too much effort or no effort was left
   FillFailure failure = FillFailure::SheetIntersecting;  // reason why a sheet to thicken is not closed

@@ -251,6 +251,7 @@ class Repairer {
       if (result.reason == FillFailure::None) {
         result.outcome = LoopOutcome::Filled;
         result.method = fills[i].attempt.patch.method;
+        result.substitute = substituteIn(fills[i].attempt.patch, m_options.fill);
         result.newFaces = fills[i].attempt.patch.triangles.size();
         result.shape = compared(before, loops[i], fills[i].attempt.patch);
       }
@@ -305,6 +306,7 @@ class Repairer {
       result.edges = holes[i].loop.borderEdges;
       result.outcome = LoopOutcome::Filled;
       result.method = closings.holes[i].method;
+      result.substitute = closings.holes[i].substitute;
       result.newFaces = closings.holes[i].newFaces;
       result.shape = closings.holes[i].shape;
       result.milliseconds = each;

@@ -45,9 +45,10 @@ struct LoopResult {
   std::size_t edges = 0;
   bool isSheetBoundary = false;  // outer edge of an open sheet in the input
   LoopOutcome outcome = LoopOutcome::Failed;
-  FillMethod method = FillMethod::Fair;    // method if filled
-  FillFailure reason = FillFailure::None;  // reason if not filled
-  std::size_t newFaces = 0;                // faces of its patches; a patch over several loops counts for each loop
+  FillMethod method = FillMethod::Fair;      // method if filled
+  Substitute substitute = Substitute::None;  // difference of the patch from the options
+  FillFailure reason = FillFailure::None;    // reason if not filled
+  std::size_t newFaces = 0;                  // faces of its patches; a patch over several loops counts for each loop
   double milliseconds = 0.0;
   PatchComparison shape = {};  // shape of its patch; unknown without a patch
 };

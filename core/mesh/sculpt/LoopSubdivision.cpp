@@ -271,16 +271,6 @@ std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, co
   return step;
 }
 
-int levelsToDensity(const HalfEdgeMesh& mesh, const FaceSelection& patch) {
-  FaceSelection around = grownByRing(mesh, patch);
-  around.remove(patch);
-  const double outside = meanEdge(mesh, around, [](HalfEdge) { return true; });
-  const double inside = meanEdge(mesh, patch, [&](HalfEdge h) { return isBetween(mesh, patch, h); });
-  if (!(outside > 0.0) || !(inside > 0.0)) return 0;
-  constexpr double kMostLevels = 12.0;
-  return static_cast<int>(std::clamp(std::ceil(std::log2(inside / outside) - 0.5), 0.0, kMostLevels));
-}
-
 double outlineAspect(const HalfEdgeMesh& mesh, const FaceSelection& patch) {
   double sum = 0.0;
   std::size_t n = 0;

@@ -59,7 +59,8 @@ enum class SubdivisionFailure {
   None,
   NoEdgeInside,  // every edge of the patch is on its outline
   TooManyFaces,
-  TooFine,  // the number type of the file has no value between two vertices
+  TooFine,      // the number type of the file has no value between two vertices
+  NotManifold,  // the faces of the patch touch at a vertex without a common edge, or more than two share an edge
   Cancelled,
 };
 
@@ -93,10 +94,6 @@ SubdivisionStep subdivide(HalfEdgeMesh& mesh, const FaceSelection& patch, const 
 // are dead or beyond the last slot. O(patch + pages of the mesh).
 std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, const FaceSelection& patch,
                                                   const HalfEdgeMesh& fine, FirstSlots firstAdded);
-
-// Returns the number of subdivisions that match a patch to the density around it. After them, the edges of the patch
-// are at most √2 times as long as those of the faces around it. Returns 0 if there are no faces around it.
-int levelsToDensity(const HalfEdgeMesh& mesh, const FaceSelection& patch);
 
 // Returns the mean aspect ratio of the faces at the outline of a patch. It is the length of an outline edge divided by
 // the height over it. The outline is not split, so it doubles with each level. Returns 0 if there is no outline.

@@ -140,7 +140,7 @@ ScriptLineOutcome fillLoop(ScriptLineReader& reader, const OperationValues& valu
   const MeshChange change = {fillOperation().title, [&](HalfEdgeMesh& mesh, Progress p) {
                                HoleFiller filler(mesh, p.part(0.0, 0.5));
                                if (p.cancelled()) return;
-                               failure = fillHole(filler, *loop, options, std::nullopt, p.part(0.5, 1.0));
+                               failure = fillHole(filler, *loop, options, std::nullopt, p.part(0.5, 1.0)).failure;
                                if (failure == FillFailure::None) mesh = filler.mesh();
                              }};
   const bool changed = commitChange(document, withStep(change, fillStep(key, options)), progress);
@@ -271,6 +271,7 @@ constexpr Verb kVerbs[] = {
     {"smooth-edge", readSmoothEdge, nullptr},
     {"stroke", nullptr, sculpt},
     {"subdivide", nullptr, sculpt},
+    {"refine", nullptr, sculpt},
     {"smooth-noise", nullptr, sculpt},
     {"level-back", nullptr, sculpt},
     {"unit", nullptr, setUnit},

@@ -104,7 +104,7 @@ class RepairLongLoopsTest : public QObject {
     const std::size_t loops = test::sized<std::size_t>(34 + 2, 62);
     const Fixture fixture;
     fixture.put("a.stl", headSections(sections));
-    // All holes are closed; but the scan has points at which faces touch, and not all of them can be parted.
+    // All holes are closed; but cutting leaves debris.
     const Ran ran = fixture.run({"repair", "a.stl", "-o", "b.stl", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
     const Json report = fixture.json("r.json");
@@ -113,7 +113,6 @@ class RepairLongLoopsTest : public QObject {
     QVERIFY(debris > 1);
     QVERIFY2(ran.err.contains("New: " + QByteArray::number(debris) + " pieces of debris"), ran.err);
     for (const Json& loop : report.at("loops")) QCOMPARE(loop.at("bend_deg").is_null(), loop.at("new_faces") == 0);
-    QVERIFY(report.at("after").at("non_manifold_vertices").get<int>() > 0);
     QVERIFY(report.at("loops").size() >= loops);  // and what cutting lays open
     int cuts = 0;
     for (const Json& loop : report.at("loops")) {
@@ -126,7 +125,6 @@ class RepairLongLoopsTest : public QObject {
     QVERIFY2(ran.err.contains("1 outer boundary of an open sheet, which the repair has changed, looks like a hole now"),
              ran.err);
     QCOMPARE(filled(report) + 1, report.at("loops").size());
-    QVERIFY(report.at("replaced_faces").get<int>() > 0);
     QVERIFY(report.at("unmodified_vertices_identical").get<bool>());
 
     fixture.put("k.stl", headSections(test::sized(1, 4)));

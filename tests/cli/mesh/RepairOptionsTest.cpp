@@ -330,7 +330,7 @@ class RepairOptionsTest : public QObject {
     QVERIFY2(lid.err.contains("check its patch: the patch bends by 90°, its surroundings by at most 8°"), lid.err);
     // The first of many such patches are named; the report has all.
     Shape many;
-    for (int i = 0; i < 13; ++i) many.add(tube, {0.0, 0.0, 100.0 * i});
+    for (int i = 0; i < 13; ++i) many.add(tube, {25.0 * (i % 4), 25.0 * (i / 4), 0.0});
     fixture.put("many.off", many.off());
     const Ran lids = fixture.run({"repair", "many.off", "-o", "c.off"});
     QCOMPARE(lids.err.count("check its patch"), 10);

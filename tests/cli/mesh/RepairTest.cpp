@@ -72,9 +72,9 @@ class RepairTest : public QObject {
         "turned_faces", "turned_bodies", "removed_part", "one_sided_cuts", "parted_vertices", "parting_cut_short",
         "cutting_cut_short", "touched_vertices", "untouched_vertices_identical"};
     QVERIFY(keysOf(report) == expected);
-    const std::vector<std::string> loopKeys{"id",     "sheet_boundary", "edges",    "outcome",         "method",
-                                            "reason", "new_faces",      "bend_deg", "bend_around_deg", "ms",
-                                            "rim"};
+    const std::vector<std::string> loopKeys{"id",       "sheet_boundary",  "edges",  "outcome",
+                                            "method",   "substitute",      "reason", "new_faces",
+                                            "bend_deg", "bend_around_deg", "ms",     "rim"};
     QVERIFY(keysOf(report["loops"][0]) == loopKeys);
     QVERIFY(report["modified_vertices"] == report["touched_vertices"]);
     QVERIFY(report["options"]["rims"] == "keep" && report["options"]["open_sheets"] == "keep");

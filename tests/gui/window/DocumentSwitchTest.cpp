@@ -4,11 +4,13 @@
 #include "QuickWindow.h"
 #include "StlFiles.h"
 #include "WindowTestMain.h"
+#include "mesh/holes/Patch.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/Samples.h"
 
 #include <rapidcheck.h>
+#include <QComboBox>
 #include <QPlainTextEdit>
 #include <QTreeView>
 
@@ -64,6 +66,34 @@ class DocumentSwitchTest : public QObject {
     QVERIFY(driver.open(fileWithHoles(0)));
     QVERIFY(!driver.find<QAction>("nextHole")->isEnabled());
     QVERIFY(isSelectionOfDocument(driver));
+  }
+
+  // The method that is chosen for the holes of one document is not that of another; it is saved with the document.
+  void theMethodBelongsToTheDocument() {
+    QuickWindow driver;
+    QVERIFY(driver.open(fileWithHoles(1)));
+    QVERIFY(driver.open(fileWithHoles(2)));
+    auto* tabs = driver.find<QTabBar>("documentTabBar");
+    auto* method = driver.find<QComboBox>("fillMethod");
+    const QString usual = method->currentText();
+    press(driver, "nextHole");
+    QVERIFY(driver.settle());
+    const int flat = method->findData(static_cast<int>(FillMethod::Flat));
+    method->setCurrentIndex(flat);
+    QVERIFY(driver.settle());
+    tabs->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    QCOMPARE(method->currentText(), usual);
+    tabs->setCurrentIndex(1);
+    QVERIFY(driver.settle());
+    QCOMPARE(method->currentIndex(), flat);
+    const QString path = m_folder.filePath("flat.handwheel");
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", path) && driver.settle());
+    QuickWindow again;
+    QVERIFY(again.open(path));
+    QVERIFY(again.settle());
+    QCOMPARE(again.find<QComboBox>("fillMethod")->currentIndex(), flat);
   }
 
   // Typed text belongs to the document that was in view, also if its tab is left by a click or a key.

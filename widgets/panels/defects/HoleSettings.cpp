@@ -209,13 +209,11 @@ void HoleSettings::showPreview(const PreviewState& state) {
     case PreviewState::Kind::Ready:
       break;
   }
-  const QString size = tr("%Ln new triangle(s)", nullptr, static_cast<int>(state.triangles));
+  QStringList lines{tr("%Ln new triangle(s)", nullptr, static_cast<int>(state.triangles))};
+  if (state.substitute != Substitute::None) lines << substituteText(state.substitute, state.method);
   const QString warning = patchWarning(state.shape);
-  const QString more = warning.isEmpty() ? QString() : QLatin1Char('\n') + tr("Check the patch: %1.").arg(warning);
-  m_status->setText(
-      state.method == method()
-          ? size + more
-          : tr("%1, by “%2”: the chosen method finds no valid patch").arg(size, fillMethodName(state.method)) + more);
+  if (!warning.isEmpty()) lines << tr("Check the patch: %1.").arg(warning);
+  m_status->setText(lines.join(QLatin1Char('\n')));
 }
 
 }  // namespace handwheel

@@ -22,10 +22,11 @@ enum class LengthUnit;
 struct PreviewState {
   enum class Kind { Off, Working, Ready, Failed };
   Kind kind = Kind::Off;
-  std::size_t triangles = 0;                // number of triangles of the patch; set if the preview is ready
-  FillMethod method = FillMethod::Fair;     // the method of the patch; differs from the chosen one if that failed
-  FillFailure failure = FillFailure::None;  // reason of the failure; set if the preview failed
-  PatchComparison shape = {};               // comparison with the surroundings; set if the preview is ready
+  std::size_t triangles = 0;                 // number of triangles of the patch; set if the preview is ready
+  FillMethod method = FillMethod::Fair;      // the method of the patch
+  Substitute substitute = Substitute::None;  // difference of the patch from the choice
+  FillFailure failure = FillFailure::None;   // reason of the failure; set if the preview failed
+  PatchComparison shape = {};                // comparison with the surroundings; set if the preview is ready
 };
 
 // The settings and buttons for filling the selected hole. Changes apply to the preview at once.

@@ -70,13 +70,13 @@ void RepairJobs::startFill(MeshTab* document, Vertex key, PreparedFill prepared,
               loop = document->defectList.loop(loopId)](Progress progress) -> Job::Finish {
     HoleFiller* filler = prepared.cache->filler(progress.part(0.0, 0.3));
     if (!filler) return {};
-    const FillFailure failure = fillHole(*filler, loop, options, prepared.attempt, progress.part(0.3, 0.6));
+    const FillAttempt attempt = fillHole(*filler, loop, options, prepared.attempt, progress.part(0.3, 0.6));
     InspectedMesh after;
-    if (failure == FillFailure::None) after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
-    return [this, document, key, revision, round, options, cache = prepared.cache, failure, after] {
+    if (attempt.failure == FillFailure::None) after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
+    return [this, document, key, revision, round, options, cache = prepared.cache, attempt, after] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision))
-        return filledOne(document, key, cache, {failure, fillStep(key, options)}, after);
+        return filledOne(document, key, cache, {attempt, options, fillStep(key, options)}, after);
       reportStale(*document, round);
       if (round == Round::First) startFill(document, key, {nullptr, std::nullopt, options}, Round::Second);
     };
@@ -89,14 +89,18 @@ void RepairJobs::filledOne(MeshTab* document, Vertex key, const std::shared_ptr<
   const int loop = document->defectList.loopWithKey(key);
   const QString name = document->defectList.loopName(loop);
   const int number = document->defectList.loopNumber(loop);
-  document->defectList.setFailure(loop, done.failure);
-  if (done.failure != FillFailure::None) {
-    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(done.failure)), {}, LogEntry::Weight::Warning);
+  const FillFailure failure = done.attempt.failure;
+  document->defectList.setFailure(loop, failure);
+  if (failure != FillFailure::None) {
+    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(failure)), {}, LogEntry::Weight::Warning);
     return;
   }
   const QString command = stepCommand(*document, done.step);
   document->document.commit(tr("Fill hole %1").arg(number), after, done.step);
   m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()), command);
+  const Substitute substitute = substituteIn(done.attempt.patch, done.options);
+  if (substitute != Substitute::None)
+    m_log.add(tr("%1: %2").arg(name, substituteText(substitute, done.attempt.patch.method)));
   emit filled(document, key, cache);
 }
 

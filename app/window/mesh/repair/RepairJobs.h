@@ -78,7 +78,8 @@ class RepairJobs : public QObject {
   double nearWeld() const;  // value of the setting mesh.near_weld, with which the result of a job is inspected
   bool isStale(MeshTab* document, std::uint64_t revision) const;
   struct Filled {
-    FillFailure failure;
+    FillAttempt attempt;
+    FillOptions options;
     std::string step;
   };
   void filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& cache, const Filled& done,

@@ -78,6 +78,8 @@ void logRepair(LogModel& log, const MeshTab& document, const RepairReport& repor
   for (const QString& warning : patchWarningsOf(report, names)) log.add(warning, {}, LogEntry::Weight::Warning);
   for (const LoopResult& loop : report.loops) {
     const QString name = loop.id >= 0 ? names.at(loop.id) : RepairJobs::tr("A hole opened by the repair");
+    if (loop.outcome == LoopOutcome::Filled && loop.newFaces > 0 && loop.substitute != Substitute::None)
+      log.add(RepairJobs::tr("%1: %2").arg(name, substituteText(loop.substitute, loop.method)));
     if (loop.outcome == LoopOutcome::Failed)
       log.add(RepairJobs::tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {},
               LogEntry::Weight::Warning);

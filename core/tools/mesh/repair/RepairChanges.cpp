@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-FillFailure fillHole(HoleFiller& filler, const BoundaryLoop& loop, const FillOptions& options,
+FillAttempt fillHole(HoleFiller& filler, const BoundaryLoop& loop, const FillOptions& options,
                      const std::optional<FillAttempt>& prepared, Progress progress) {
-  const FillAttempt attempt = prepared ? *prepared : filler.propose(loop, options, progress);
+  FillAttempt attempt = prepared ? *prepared : filler.propose(loop, options, progress);
   if (attempt.failure == FillFailure::None) filler.accept(loop, attempt.patch);
-  return attempt.failure;
+  return attempt;
 }
 
 std::string fillStep(Vertex loop, const FillOptions& options) {

@@ -11,8 +11,9 @@ namespace handwheel {
 
 // Filling and repair as used by the window and 'handwheel edit'.
 
-// Fills a hole of the filler's mesh. prepared: the patch, if it was already proposed.
-FillFailure fillHole(HoleFiller& filler, const BoundaryLoop& loop, const FillOptions& options,
+// Fills a hole of the filler's mesh, and returns the patch or the failure. prepared: the patch, if it was already
+// proposed.
+FillAttempt fillHole(HoleFiller& filler, const BoundaryLoop& loop, const FillOptions& options,
                      const std::optional<FillAttempt>& prepared, Progress progress = {});
 // Returns the step of 'handwheel edit', as text, that fills a hole with these options. loop: the key of the loop, from
 // keyOf() (mesh/boundary/BoundaryLoops.h).

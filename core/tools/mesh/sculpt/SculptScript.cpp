@@ -3,6 +3,7 @@
 #include "tools/mesh/sculpt/SculptScript.h"
 
 #include "document/mesh/MeshDocument.h"
+#include "mesh/sculpt/PatchRemeshing.h"
 #include "tools/mesh/BoundaryLoopText.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
@@ -25,6 +26,8 @@ const char* problemOf(SubdivisionFailure failure) {
       return QT_TRANSLATE_NOOP("Property", "It would have too many triangles.");
     case SubdivisionFailure::TooFine:
       return QT_TRANSLATE_NOOP("Property", "The precision of the file does not allow finer triangles.");
+    case SubdivisionFailure::NotManifold:
+      return QT_TRANSLATE_NOOP("Property", "Its triangles touch without a common edge, or more than two share one.");
     case SubdivisionFailure::None:
     case SubdivisionFailure::Cancelled:
       break;
@@ -129,6 +132,14 @@ SculptWork readSubdivision(ScriptLineReader& reader, const OperationValues& valu
   return [=, levels = *levels](Progress progress) { return subdivided(levels, more, numbers, progress); };
 }
 
+SculptWork readRefinement(ScriptLineReader& reader, const OperationValues& values, const MeshDocument& document) {
+  const auto levels = readPatch(reader, values, document);
+  const NumberType numbers = numbersFor(document, values);
+  if (levels && levels->patch().empty()) reader.complain("--patch TRIANGLES is missing");
+  if (!levels) return nullptr;
+  return [=, levels = *levels](Progress progress) { return refined(levels, numbers, progress); };
+}
+
 }  // namespace
 
 std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSelection& patch, std::size_t finest) {
@@ -137,17 +148,28 @@ std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSele
   return finest == 0 ? std::optional(PatchLevels(document.mesh(), patch)) : std::nullopt;
 }
 
-SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress) {
+SculptResult subdivided(PatchLevels levels, int times, NumberType numbers, Progress progress) {
   OperationValues values = patchValues("subdivide", levels);
   const std::size_t before = levels.finest();
-  const int more = times.value_or(levelsToDensity(levels.mesh(), levels.patch()));
-  const char* problem = more == 0 ? QT_TRANSLATE_NOOP("Property", "It is as fine as its surroundings.") : nullptr;
-  for (int i = 0; i < more && !problem && !progress.cancelled(); ++i)
+  const char* problem = nullptr;
+  for (int i = 0; i < times && !problem && !progress.cancelled(); ++i)
     problem = problemOf(levels.refine({kMostFaces, numbers, progress}));
   if (levels.finest() > before) values.setValid("times", static_cast<double>(levels.finest() - before));
   setNumbers(values, numbers);
   FaceSelection touched = levels.finest() > before ? levels.patch() : FaceSelection();
   return {std::move(levels), std::move(touched), problem, ScriptLineWriter("subdivide").options(values).text()};
+}
+
+SculptResult refined(const PatchLevels& levels, NumberType numbers, Progress progress) {
+  OperationValues values = patchValues("refine", levels);
+  setNumbers(values, numbers);
+  if (isEven(levels.mesh(), levels.patch()))
+    return {levels, {}, QT_TRANSLATE_NOOP("Property", "It is as fine as its surroundings, and even.")};
+  HalfEdgeMesh mesh = levels.mesh();
+  RemeshedPatch remeshed = remeshToSurroundings(mesh, levels.patch(), {kMostFaces, numbers, progress});
+  if (remeshed.failure != SubdivisionFailure::None) return {levels, {}, problemOf(remeshed.failure)};
+  return {PatchLevels(std::move(mesh), remeshed.faces), remeshed.faces, nullptr,
+          ScriptLineWriter("refine").options(values).text()};
 }
 
 Denoising denoisingOf(const OperationValues& values, NumberType numbers) {
@@ -218,6 +240,7 @@ SculptWork readSculptLine(ScriptLineReader& reader, const OperationValues& value
   if (verb == "stroke") return readStroke(reader, values, document);
   if (verb == "smooth-noise") return readNoise(reader, values, document);
   if (verb == "subdivide") return readSubdivision(reader, values, document);
+  if (verb == "refine") return readRefinement(reader, values, document);
   const auto levels = readPatch(reader, values, document);
   if (levels && levels->finest() == 0) reader.complain("the patch has one level only");
   if (!reader.isGood()) return nullptr;

@@ -24,9 +24,10 @@ struct SculptResult {
   std::string step = {};
 };
 
-// Subdivides a patch. times: number of levels to add; none: levels are added until the patch is as fine as its
-// surroundings.
-SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress);
+// Subdivides a patch. times: number of levels to add.
+SculptResult subdivided(PatchLevels levels, int times, NumberType numbers, Progress progress);
+// Remeshes a patch by remeshToSurroundings(). It has one level then.
+SculptResult refined(const PatchLevels& levels, NumberType numbers, Progress progress);
 // Options for smoothing noise, with the chosen method.
 struct Denoising {
   NoiseMethod method = NoiseMethod::Bilateral;
@@ -49,7 +50,8 @@ std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSele
 
 // A function that performs a step.
 using SculptWork = std::function<SculptResult(Progress)>;
-// Reads the rest of a step "stroke", "subdivide", "smooth-noise" or "level-back". Returns null if the step is invalid.
+// Reads the rest of a step "stroke", "subdivide", "refine", "smooth-noise" or "level-back". Returns null if the step is
+// invalid.
 SculptWork readSculptLine(ScriptLineReader& reader, const OperationValues& values, const MeshDocument& document);
 
 }  // namespace handwheel

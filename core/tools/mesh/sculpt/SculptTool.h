@@ -55,7 +55,8 @@ class SculptTool : public Tool {
 
   void start(const char* name, const char* text, std::function<SculptResult(PatchLevels, Progress)> make);
   void take(const char* text, SculptResult made);
-  void refine(const char* text, std::optional<int> times);
+  void subdivideLater();
+  void refineLater();
   void smoothNoiseLater();
   void goBackALevel();
   void landed();

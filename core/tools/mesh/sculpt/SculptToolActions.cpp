@@ -136,9 +136,9 @@ ToolReply SculptTool::perform(std::string_view action) {
   } else if (action == "coarser" || action == "finer") {
     m_level = action == "finer" ? std::min(m_level + 1, m_levels.finest()) : m_level - (m_level > 0);
   } else if (action == "subdivide") {
-    refine(QT_TRANSLATE_NOOP("Tool", "Subdivide patch"), 1);
+    subdivideLater();
   } else if (action == "refine") {
-    refine(QT_TRANSLATE_NOOP("Tool", "Refine to the surroundings"), std::nullopt);
+    refineLater();
   } else if (action == "back") {
     goBackALevel();
   } else if (action == "noise") {
@@ -152,11 +152,17 @@ ToolReply SculptTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
-// times: how many levels more; none: as many as its surroundings want.
-void SculptTool::refine(const char* text, std::optional<int> times) {
-  start(QT_TRANSLATE_NOOP("Tool", "Subdividing"), text,
-        [times, numbers = m_document.fileNumbers()](PatchLevels levels, Progress progress) {
-          return subdivided(std::move(levels), times, numbers, progress);
+void SculptTool::subdivideLater() {
+  start(QT_TRANSLATE_NOOP("Tool", "Subdividing"), QT_TRANSLATE_NOOP("Tool", "Subdivide patch"),
+        [numbers = m_document.fileNumbers()](PatchLevels levels, Progress progress) {
+          return subdivided(std::move(levels), 1, numbers, progress);
+        });
+}
+
+void SculptTool::refineLater() {
+  start(QT_TRANSLATE_NOOP("Tool", "Refining"), QT_TRANSLATE_NOOP("Tool", "Refine to the surroundings"),
+        [numbers = m_document.fileNumbers()](const PatchLevels& levels, Progress progress) {
+          return refined(levels, numbers, progress);
         });
 }
 

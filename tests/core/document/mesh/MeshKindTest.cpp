@@ -121,6 +121,10 @@ class MeshKindTest : public QObject {
         document->commit("Remove", inspected(mesh));
       }
       if (!document->defects().loops.empty()) document->setKeptOpen(document->defects().loops[0], true);
+      FidelityValues choice;
+      if (*rc::gen::arbitrary<bool>()) RC_ASSERT(choice.set(fillMethodSetting(), *rc::gen::inRange(0, 8)));
+      if (*rc::gen::arbitrary<bool>()) RC_ASSERT(choice.set(fillContinuitySetting(), *rc::gen::inRange(0, 3)));
+      document->setFillChoice(choice);
       std::vector<Error> damage;
       const auto back = reloaded(*document, damage);
       if (document->mesh().liveFaceCount() == 0) return;
@@ -129,6 +133,7 @@ class MeshKindTest : public QObject {
       RC_ASSERT(hasSameSlots(meshOf(*back).mesh.mesh, document->mesh()));
       RC_ASSERT(meshOf(*back).keptOpen == static_cast<const MeshSnapshot&>(*document->snapshot()).keptOpen);
       RC_ASSERT(meshOf(*back).numbers == NumberType::Float32);
+      RC_ASSERT(meshOf(*back).fillChoice == choice);
     });
     QVERIFY(held);
   }
@@ -334,7 +339,7 @@ class MeshKindTest : public QObject {
         if (*rc::gen::inRange(0, 8) == 0) bytes.resize(*rc::gen::inRange<std::size_t>(0, bytes.size() + 1));
       }
       nlohmann::json& described = (*hostile.manifest)["document"];
-      switch (*rc::gen::inRange(0, 6)) {
+      switch (*rc::gen::inRange(0, 7)) {
         case 0:
           described["faces"] = 0xffffffffffffull;
           break;
@@ -346,6 +351,9 @@ class MeshKindTest : public QObject {
           break;
         case 3:
           described = nullptr;
+          break;
+        case 4:
+          described["fill"] = {{"mesh.fill_method", "best"}, {"mesh.fill_continuity", 1e300}};
           break;
         default:
           break;

@@ -17,14 +17,13 @@ using namespace handwheel;
 using test::built;
 using test::fan;
 
-// Tests subdivided surfaces as a whole: round, even, of the wanted density, in every size; and refusals.
+// Tests subdivided surfaces as a whole: round, even, in every size; and refusals.
 class LoopSubdivisionQualityTest : public QObject {
   Q_OBJECT
 
  private slots:
   void closedSurfacesBecomeRound();
   void outlineAspectDoubles();
-  void densityOfTheSurroundings();
   void refusals();
   void inEverySizeAndPosition_data();
   void inEverySizeAndPosition();
@@ -65,24 +64,6 @@ void LoopSubdivisionQualityTest::outlineAspectDoubles() {
   }
   const HalfEdgeMesh closed = built(test::tetrahedron());
   QCOMPARE(outlineAspect(closed, FaceSelection::all(closed)), 0.0);
-}
-
-// A fan with spokes of 1 in the middle of a plate with edges of 1/4: two levels.
-void LoopSubdivisionQualityTest::densityOfTheSurroundings() {
-  TriangleSoup soup = test::annulus(24, 8, 1.0, 3.0);
-  const auto middle = static_cast<std::uint32_t>(soup.points.size());
-  soup.points.push_back(Vec3::Zero());
-  FaceSelection patch;
-  for (std::uint32_t j = 0; j < 24; ++j) {
-    patch.add(static_cast<Face>(soup.triangles.size()));
-    soup.triangles.push_back({middle, j, (j + 1) % 24});
-  }
-  HalfEdgeMesh mesh = built(soup);
-  QCOMPARE(levelsToDensity(mesh, patch), 2);
-  patch = subdivide(mesh, patch).faces;
-  QVERIFY(levelsToDensity(mesh, patch) <= 1);
-  QCOMPARE(levelsToDensity(mesh, FaceSelection::all(mesh)), 0);
-  QCOMPARE(levelsToDensity(mesh, FaceSelection()), 0);
 }
 
 void LoopSubdivisionQualityTest::refusals() {

@@ -403,6 +403,7 @@ void MeshScriptTest::mistakes_data() {
   row("stroke smooth 0 --radius 1", "a place is TRIANGLE:X,Y,Z");
   row("stroke smooth 0:0,0,0 --radius 1 --patch 3 --finest 2", "the patch has not been subdivided that often");
   row("subdivide", "--patch TRIANGLES is missing");
+  row("refine", "--patch TRIANGLES is missing");
   row("level-back --patch 3", "the patch has one level only");
   row("unit ft", "the units are mm, cm, m and in");
   row("bridge 1", "two half-edges are required: H,H");

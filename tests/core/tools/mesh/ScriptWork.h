@@ -28,7 +28,7 @@ struct Work {
     options.numbers = document->fileNumbers();
     const BoundaryLoop loop = document->defects().loops.at(id);
     HoleFiller filler(document->mesh());
-    const FillFailure failure = fillHole(filler, loop, options, std::nullopt);
+    const FillFailure failure = fillHole(filler, loop, options, std::nullopt).failure;
     if (failure != FillFailure::None) return failure;
     document->commit("Fill", inspected(filler.mesh()), fillStep(keyOf(document->mesh(), loop), options));
     return FillFailure::None;
