@@ -34,7 +34,7 @@ constexpr QSize kLeastSize(800, 600);  // logical pixels: of a small screen
 }  // namespace
 
 MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
-    : m_jobs(JobRunner::Policy::Queue, pool),
+    : m_jobs(JobRunner::Policy::Queue, pool, this),
       m_thumbnails(pool),
       m_fidelity(this),
       m_calibrator(m_fidelity, pool, defaultCalibrationFile(), this),
@@ -50,6 +50,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
       m_showPanel(tr("&Show the list"), this),
       m_quit(tr("&Quit"), this) {
   setObjectName(QStringLiteral("mainWindow"));
+  m_jobs.setObjectName(QStringLiteral("jobs"));
   setAcceptDrops(true);
   // Without a size of its own Qt would enlarge the window, and beyond the screen, as soon as the panels ask for more.
   setMinimumSize(kLeastSize);

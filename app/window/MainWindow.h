@@ -94,6 +94,7 @@ class MainWindow : public QMainWindow {
   void connectTools();
   void connectRecordings();
   void connectJobs();
+  void reportCancelled(const JobStatus& job, const Document* document);
   void connectStartPage();
 
   KindUi* ui() const;  // interface of the present document's kind; null if no document is open

@@ -11,6 +11,7 @@
 #include "panels/SuggestionCard.h"
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
+#include "window/PanelEscape.h"
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
 #include "window/documents/DocumentProperties.h"
@@ -59,6 +60,7 @@ void MainWindow::connectDocuments() {
   });
   connect(m_tabs, &DocumentTabs::closing, this, [this](DocumentTab* closed) {
     if (closed == m_shown) showDocument(nullptr);  // whoever points at it lets go
+    m_jobs.forget(&closed->document);
     closed->ui.forget(closed);
     m_messages->forget(&closed->document);
     m_undo.removeStack(closed->document.history());
@@ -152,7 +154,21 @@ void MainWindow::connectJobs() {
   connect(&m_jobs, &JobRunner::changed, m_jobBar, show);
   connect(&m_jobs, &JobRunner::progressed, m_jobBar, show);
   connect(m_jobBar, &JobBar::cancelJobRequested, &m_jobs, &JobRunner::cancel);
-  m_tools->setEscape([this] { return m_jobs.cancelRunning(Job::Lane::Work); });
+  connect(&m_jobs, &JobRunner::cancelled, this, &MainWindow::reportCancelled);
+  const auto cancelLatest = [this] { return m_shown && m_jobs.cancelLatestOf(&m_shown->document); };
+  m_tools->setEscape(cancelLatest);
+  new PanelEscape(cancelLatest, this);
+}
+
+void MainWindow::reportCancelled(const JobStatus& job, const Document* document) {
+  Message said{Message::Weight::Info, tr("“%1” was cancelled").arg(job.name)};
+  if (document) {
+    said.detail = tr("%1 is as it was.").arg(document->name());
+    said.about = document;
+    said.isOver = [document, revision = document->revision()] { return document->revision() != revision; };
+  }
+  m_log.add(said.detail.isEmpty() ? said.title : said.title + QStringLiteral(". ") + said.detail);
+  m_messages->showMessage(said);
 }
 
 void MainWindow::connectStartPage() {

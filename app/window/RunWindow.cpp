@@ -22,8 +22,6 @@ namespace handwheel {
 
 namespace {
 
-// Three more than run at once, for work that was cancelled but does not let go.
-constexpr int kWorkers = 6;
 // A library call that does not return is not waited for longer when the program ends.
 constexpr int kPatienceMs = 1000;
 
@@ -75,7 +73,7 @@ int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::uniq
   QApplication::setWindowIcon(icon(QStringLiteral("handwheel"), themeColours(ThemeKind::Light).accent));
 
   QThreadPool workers;
-  workers.setMaxThreadCount(kWorkers);
+  workers.setMaxThreadCount(kJobThreads);
   int code = 0;
   {
     MainWindow window(workers, kinds, std::move(drivers));

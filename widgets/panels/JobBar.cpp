@@ -17,6 +17,13 @@ namespace handwheel {
 namespace {
 constexpr int kSteps = 128;    // pixels of the bar
 constexpr int kLongest = 240;  // pixels of a name
+
+// Many names contain that of the document.
+QString textOf(const JobStatus& job) {
+  const bool isOfDocument = !job.document.isEmpty() && !job.name.contains(job.document);
+  const QString name = isOfDocument ? JobBar::tr("%1 — %2").arg(job.name, job.document) : job.name;
+  return job.isWaiting ? JobBar::tr("%1 (waiting)").arg(name) : name;
+}
 }  // namespace
 
 // Name, progress and cancel of one job.
@@ -51,7 +58,7 @@ class JobLine : public QWidget {
 
   void showJob(const JobStatus& job) {
     m_id = job.id;
-    const QString name = job.isWaiting ? JobBar::tr("%1 (waiting)").arg(job.name) : job.name;
+    const QString name = textOf(job);
     if (name != m_name->toolTip()) showName(name);
     m_progress->setVisible(!job.isWaiting);
     showProgress(job.fraction);

@@ -13,6 +13,7 @@ struct JobStatus {
   double fraction = -1.0;  // finished fraction, 0…1; below zero: unknown
   bool isWaiting = false;  // the job waits for earlier jobs
   int seconds = 0;         // working time so far, s
+  QString document = {};   // name of the document of the job; empty: it has none
 };
 
 }  // namespace handwheel

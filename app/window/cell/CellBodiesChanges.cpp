@@ -282,7 +282,7 @@ void CellBodies::scale(BodyId id, double factor) {
   DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Scaling %1").arg(QString::fromStdString(body->name));
-  job.owner = &tab;  // its closing cancels the job
+  job.document = &tab.document;
   job.work = [this, &tab, body, factor](Progress) -> Job::Finish {
     TriangleSoup soup = *body->geometry->surface();
     for (Vec3& point : soup.points) point *= factor;
@@ -355,7 +355,7 @@ void CellBodies::read(const OperationValues& values) {
   const char* const what = values.isSet("add") ? "add" : values.isSet("from") ? "from" : "update";
   const QByteArray source = QByteArray::fromStdString(values.text(what));
   job.name = tr("Reading %1").arg(QFileInfo(QFile::decodeName(source)).fileName());
-  job.owner = &tab;  // its closing cancels the job
+  job.document = &tab.document;
   job.failed = [this, &tab](const Error& error) { report(tab.document, error); };
   job.work = [this, &tab, &kinds = m_parts.kinds, values, bodies = cell().bodies(),
               folder = folderOf(tab.document)](Progress progress) -> Job::Finish {

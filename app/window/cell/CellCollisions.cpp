@@ -74,7 +74,10 @@ void CellCollisions::prepare() {
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
   Job job;
   job.name = tr("Preparing the cell for collisions");
+  job.document = &m_document->document;
   job.owner = this;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = true;
   job.failed = [this](const Error&) { m_isUnderWay = false; };
   job.work = [this, content, known = m_scene, meshes = m_meshes](Progress progress) -> Job::Finish {
     const auto sceneFor = [&](std::size_t arm) {

@@ -23,7 +23,7 @@ void CellPaths::optimise() {
   DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Optimising %1").arg(QString::fromStdString(present->name));
-  job.owner = &tab;  // its closing cancels the job
+  job.document = &tab.document;
   job.failed = [this, &tab](const Error& error) { report(&tab, error); };
   job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               before = *present,

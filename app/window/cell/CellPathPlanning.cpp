@@ -170,7 +170,8 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
   DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Planning %1").arg(name);
-  job.owner = request.owner ? request.owner : &tab;  // its closing cancels the job
+  job.document = &tab.document;
+  job.owner = request.owner;
   job.failed = [this, &tab, ended = request.ended, title](const Error& error) {
     if (ended) ended();
     report(&tab, error, title);

@@ -13,6 +13,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
+#include "window/documents/FileSaver.h"
 
 #include <QFile>
 #include <QFileDialog>
@@ -190,10 +191,14 @@ void CellPaths::exportProgram(const PostProcessor& post, const QString& file, co
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(file).fileName());
   job.lane = Job::Lane::Saving;
-  job.owner = &tab;
+  job.document = &tab.document;
+  job.resource = file;
   // A file that is being written comes to its end, also when its document was closed meanwhile.
   const auto stillOpen = [this, of = &tab]() -> const DocumentTab* { return m_parts.tabs.contains(of) ? of : nullptr; };
-  job.failed = [this, stillOpen](const Error& error) { report(stillOpen(), error); };
+  job.failed = [this, stillOpen, file](const Error& error) {
+    if (error.code == ErrorCode::Cancelled) return emit message(FileSaver::cancelledMessage(file));
+    report(stillOpen(), error);
+  };
   job.work = [this, stillOpen, scene, known, plans = cell().plans(), request, &post, file,
               frameData = m_declareFrame.isChecked() ? FrameData::InProgram
                                                      : FrameData::AtController](Progress) -> Job::Finish {
@@ -295,7 +300,7 @@ void CellPaths::importProgram(const QString& file) {
   DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Opening %1").arg(QFileInfo(file).fileName());
-  job.owner = &tab;  // its closing cancels the job
+  job.document = &tab.document;
   job.failed = [this, &tab](const Error& error) { report(&tab, error); };
   job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               file](Progress progress) -> Job::Finish {

@@ -358,7 +358,7 @@ void CellPaths::readSemantics(const QString& file) {
   DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Reading %1").arg(title);
-  job.owner = &tab;  // its closing cancels the job
+  job.document = &tab.document;
   job.failed = [this, &tab, name = QFile::encodeName(file).toStdString()](Error error) {
     error.subject = name;
     report(&tab, error);

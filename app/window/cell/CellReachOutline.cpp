@@ -77,7 +77,10 @@ void CellReachOutline::look() {
   m_parts.jobs.cancelOf(this);
   Job job;
   job.name = tr("Finding the reach of the arm");
+  job.document = &m_document->document;
   job.owner = this;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = true;
   job.work = [this, scene, tool, direction, base,
               start = scene->planned(cell.joints())](Progress progress) -> Job::Finish {
     const auto outlines = reachSection(scene->armFromBase(), tool, start, direction, {}, progress);

@@ -182,7 +182,7 @@ void CellRobots::add(const QString& what, Reading reading) {
   DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Reading %1").arg(what);
-  job.owner = &tab;  // its closing cancels the job
+  job.document = &tab.document;
   job.failed = [this, &tab](const Error& error) { report(tab.document, error); };
   job.work = [this, &tab, reading = std::move(reading)](Progress progress) -> Job::Finish {
     auto read = std::make_shared<Result<OpenedFile>>(reading(progress));

@@ -121,7 +121,10 @@ void CellTargets::look() {
   if (!asked.scene || asked.targets.empty()) return;
   Job job;
   job.name = tr("Searching configurations for the targets");
+  job.document = &m_document->document;
   job.owner = this;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = true;
   job.work = [this, asked, joints = cell().joints()](Progress progress) -> Job::Finish {
     CellPlans plans;
     plans.frames = asked.frames;

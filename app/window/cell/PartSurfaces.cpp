@@ -13,6 +13,8 @@ std::shared_ptr<const PartSurface> PartSurfaces::of(const BodyPointer& body) {
   Job job;
   job.name = tr("Finding the edges of %1").arg(QString::fromStdString(body->name));
   job.owner = this;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = true;
   job.work = [this, id = body->id, geometry = body->geometry](Progress) -> Job::Finish {
     auto surface = std::make_shared<const PartSurface>(*geometry->surface());
     return [this, id, geometry, surface] {

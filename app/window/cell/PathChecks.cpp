@@ -75,7 +75,10 @@ void PathChecks::recall() {
   if (m_recalled.contains(m_document)) return;
   Job job;
   job.name = tr("Comparing the cell with what was verified");
+  job.document = &m_document->document;
   job.owner = &m_results;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = true;
   job.work = [this, now](Progress) -> Job::Finish {
     const auto digests = std::make_shared<const PathDigests>(now);
     Results results;
@@ -167,7 +170,10 @@ void PathChecks::verify(const RobotPath& path, Request request) {
   m_run = Run{basisOf(*now, path), request == Request::Again, request == Request::OfAll, run};
   Job job;
   job.name = tr("Verifying %1").arg(QString::fromStdString(path.name));
+  job.document = &m_document->document;
   job.owner = this;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = request == Request::Known;
   job.failed = [this, run](const Error&) {
     if (!m_run || m_run->number != run) return;
     m_run.reset();

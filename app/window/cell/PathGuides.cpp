@@ -35,6 +35,8 @@ std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
   Job job;
   job.name = tr("Finding the curve along %1").arg(QString::fromStdString(path));
   job.owner = this;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = true;
   job.failed = [this](const Error&) { forget(); };  // it is found when it is next asked for
   job.work = [this, scene, plans, path](Progress progress) -> Job::Finish {
     auto curve = std::make_shared<const GuideCurve>(toolCurve(*scene, *plans, *plans->path(path), progress));

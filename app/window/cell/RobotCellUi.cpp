@@ -274,7 +274,6 @@ void RobotCellUi::forget(DocumentTab* document) {
   m_trials.erase(document);
   m_said.erase(&document->document);
   m_paths.forget(document);
-  parts().jobs.cancelOf(document);
 }
 
 // A body that is dragged is in the document when it is let go; its fields show meanwhile where it is.

@@ -85,7 +85,9 @@ void CopyActions::start(const DocumentKind& kind, DocumentTab* from, const MakeO
     return [this, opened = std::move(opened)]() mutable { m_open(std::move(opened)); };
   };
   job.failed = failed;
-  job.owner = &from->document;
+  job.document = &from->document;
+  job.lane = Job::Lane::Looking;
+  job.outlivesDocument = true;
   m_jobs.start(std::move(job));
 }
 

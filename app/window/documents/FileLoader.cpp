@@ -54,6 +54,7 @@ void FileLoader::load(const QString& path, const ReadOptions& options) {
   if (const DocumentTab* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
   Job job;
   job.name = tr("Opening %1").arg(QFileInfo(path).fileName());
+  job.owner = this;  // files are read one after another: each takes a multiple of its size in memory
   job.work = [this, path, options](Progress progress) -> Job::Finish {
     Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(path).toStdString(), options, progress);
     if (!opened) return [this, path, options, error = opened.error()] { failed(path, error, options); };
@@ -85,6 +86,7 @@ void FileLoader::recover(const std::filesystem::path& file, const AutosaveInfo& 
   const QString path = QFile::decodeName(QByteArray::fromStdString(info.path));
   Job job;
   job.name = path.isEmpty() ? tr("Recovering") : tr("Recovering %1").arg(QFileInfo(path).fileName());
+  job.owner = this;
   job.work = [this, file, info, path, then](Progress progress) -> Job::Finish {
     const Result<JoinedChanges> joined = joinChanges(file, progress.part(0.0, 0.4));
     if (!joined) return [this, path, error = joined.error()] { notRecovered(path, error); };
@@ -129,7 +131,7 @@ void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedF
 void FileLoader::failed(const QString& path, const Error& error, const ReadOptions& options) {
   const QString name = QFileInfo(path).fileName();
   const QString sentence = errorSentence(withoutFile(error));
-  if (error.code == ErrorCode::Cancelled) return m_log.add(tr("Opening %1 was cancelled").arg(name));
+  if (error.code == ErrorCode::Cancelled) return;  // the window reports it
   if (error.code == ErrorCode::FileMissing) m_recent.remove(path);
   const QString title = options.partial ? tr("Nothing of %1 can be read") : tr("%1 could not be opened");
   Message message{Message::Weight::Error, title.arg(name), sentence, errorAdvice(error), {}, {}};

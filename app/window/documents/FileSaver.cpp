@@ -79,7 +79,9 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
     if (ended) ended(false);
   };
   job.failed = failed;
+  job.document = &document->document;
   job.lane = Job::Lane::Saving;
+  job.resource = path;
   job.work = [this, document, open, stamp, isOpenElsewhere, state, ended, failed, changed,
               &kind = document->document.kind(), file = document->document.file(),
               content = document->document.snapshot()](Progress progress) mutable -> Job::Finish {
@@ -170,10 +172,14 @@ void FileSaver::reportExport(DocumentTab& document, const QString& name, QString
   emit incomplete(&document, report);
 }
 
+Message FileSaver::cancelledMessage(const QString& path) {
+  return {Message::Weight::Warning, tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName()),
+          tr("Nothing was written: the file is unchanged.")};
+}
+
 void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {
-  const QString title = tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName());
-  m_log.add(title, {}, LogEntry::Weight::Warning);
-  Message report{Message::Weight::Warning, title, tr("Nothing was written: the file is unchanged."), {}, {}, {}};
+  Message report = cancelledMessage(path);
+  m_log.add(report.title, {}, LogEntry::Weight::Warning);
   if (m_tabs.contains(document)) {
     report.about = &document->document;
     report.topic = kSavingTopic;

@@ -35,6 +35,8 @@ class FileSaver : public QObject {
   // contains the present state of the document and the user already knows what the file lacks.
   void save(DocumentTab* document, const QString& path, std::function<void(bool)> ended = {},
             Changed changed = Changed::Refuse);
+  // Returns the message that the user has cancelled the writing of a file.
+  static Message cancelledMessage(const QString& path);
 
  signals:
   void message(const handwheel::Message& message);

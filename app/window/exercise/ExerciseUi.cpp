@@ -116,10 +116,6 @@ void ExerciseUi::setDocument(DocumentTab* document) {
   refresh();
 }
 
-void ExerciseUi::forget(DocumentTab* document) {
-  parts().jobs.cancelOf(document);
-}
-
 // A change of the title does not change the shape. Work that takes long to prepare is not shown here: its task is shown
 // instead, and Begin opens it.
 DisplayModel ExerciseUi::displayed(const Document& document) const {

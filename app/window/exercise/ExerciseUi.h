@@ -25,7 +25,6 @@ class ExerciseUi : public RigidPartsUi {
   explicit ExerciseUi(const WindowContext& window);
 
   void setDocument(DocumentTab* document) override;
-  void forget(DocumentTab* document) override;
   std::vector<StartAction> startActions() const override;
   void begin(const QString& startAction) override;
   QString panelTitle() const override { return tr("Exercise"); }

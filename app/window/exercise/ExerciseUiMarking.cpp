@@ -13,6 +13,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
+#include "window/documents/FileSaver.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseUi.h"
 #include "window/exercise/SubmissionsView.h"
@@ -51,7 +52,7 @@ void ExerciseUi::mark(const QStringList& paths) {
   if (!current()) return;
   Job job;
   job.name = tr("Marking");
-  job.owner = document();
+  job.document = &document()->document;
   job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = document()](Progress progress) {
     auto marked = std::make_shared<std::vector<ReportedWork>>();
     const double share = 1.0 / static_cast<double>(paths.size());
@@ -151,10 +152,12 @@ void ExerciseUi::chooseFile(const QString& title, const QString& filter, const Q
 void ExerciseUi::startWriting(ClassFile what, const QString& path) {
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(path).fileName());
-  job.owner = document();
+  job.document = &document()->document;
   job.lane = Job::Lane::Saving;
+  job.resource = path;
   const auto failed = [this, path](const Error& error) {
-    if (error.code != ErrorCode::Cancelled) report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
+    if (error.code == ErrorCode::Cancelled) return emit message(FileSaver::cancelledMessage(path));
+    report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
   };
   job.failed = failed;
   const SubmissionsView& view = *m_editor->classView();

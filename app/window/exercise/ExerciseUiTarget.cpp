@@ -46,7 +46,7 @@ void ExerciseUi::importTarget(DocumentTab* owner, const QString& path) {
   const QString name = QFileInfo(path).fileName();
   Job job;
   job.name = tr("Reading %1").arg(name);
-  job.owner = owner;
+  job.document = &owner->document;
   job.failed = [this, name](const Error& error) {
     if (error.code != ErrorCode::Cancelled) report(tr("%1 was not taken as the target").arg(name), error);
   };
@@ -141,7 +141,7 @@ bool ExerciseUi::changeTarget(DocumentTab* owner, const QString& text, const Tas
 void ExerciseUi::takeTarget(const SnapshotPointer& work) {
   Job job;
   job.name = tr("Taking the target");
-  job.owner = document();
+  job.document = &document()->document;
   job.failed = [this](const Error& error) {
     if (error.code != ErrorCode::Cancelled) report(tr("The target was not taken"), error);
   };

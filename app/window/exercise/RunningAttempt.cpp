@@ -13,9 +13,7 @@
 #include "window/PanelToggle.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseLesson.h"
-#include "window/exercise/ReasonText.h"
 #include "window/kinds/SuggestedName.h"
 #include "window/tools/ToolHost.h"
 
@@ -56,22 +54,6 @@ QString titleOfWork(const ExerciseSnapshot& exercise) {
 bool hasCheckedSteps(const Exercise& exercise) {
   const auto isChecked = [](const ExerciseStep& step) { return !step.criteria.empty(); };
   return std::any_of(exercise.steps.begin(), exercise.steps.end(), isChecked);
-}
-
-// Returns the reasons why figures of the work could not be measured, each once, with the names of the marks before it.
-QStringList unmeasured(const Exercise& exercise, const Marking& marking) {
-  std::vector<std::pair<QString, QStringList>> reasons;
-  for (const Mark& mark : marking.marks) {
-    if (mark.verdict != Verdict::NotMeasured || mark.remark.text.empty()) continue;
-    const QString reason = exerciseText(mark.remark);
-    auto same = std::find_if(reasons.begin(), reasons.end(), [&](const auto& each) { return each.first == reason; });
-    if (same == reasons.end()) same = reasons.insert(same, {reason, {}});
-    const MarkingCriterion* const c = exercise.find(mark.criterion);
-    same->second += QString::fromStdString(c && !c->name.empty() ? c->name : mark.criterion);
-  }
-  QStringList sentences;
-  for (const auto& [reason, names] : reasons) sentences += names.join(QStringLiteral(", ")) + ": " + reason;
-  return sentences;
 }
 
 }  // namespace
@@ -183,7 +165,9 @@ void RunningAttempt::prepare(const DocumentTab& from, const std::shared_ptr<cons
                              OpenedFile work) {
   Job job;
   job.name = tr("Preparing the exercise");
-  job.owner = &from;
+  job.document = &from.document;
+  job.lane = Job::Lane::Looking;
+  job.outlivesDocument = true;
   job.work = [this, exercise, file = from.document.file(), work](Progress) mutable {
     work.content = exercise->subject->start(*exercise->task);
     return Job::Finish([this, exercise, file, work]() mutable {
@@ -259,8 +243,7 @@ void RunningAttempt::show(const Work& work) {
 void RunningAttempt::forget(DocumentTab* tab) {
   Work* const work = find(tab);
   if (!work) return;
-  m_parts.jobs.cancelOf(tab);
-  m_checks.cancelOf(tab);
+  m_checks.forget(&tab->document);
   if (work == current()) {
     m_clock.stop();
     m_isCurrent = false;
@@ -312,7 +295,7 @@ void RunningAttempt::followGesture(Work& work) {
     return;
   }
   if (!std::exchange(work.isUnderWay, true)) outdate(work);
-  if (m_checks.isIdle() && Clock::now() >= work.nextCheck) checkSteps(work);
+  if (!m_checks.isBusyWith(&work.tab->document) && Clock::now() >= work.nextCheck) checkSteps(work);
 }
 
 // Measures the sizes of the drawing too, as the student requested.
@@ -384,7 +367,9 @@ void RunningAttempt::start(JobRunner& jobs, const QString& name, Work& measured,
   const Clock::duration taking = Clock::now() - asked;
   Job job;
   job.name = name;
-  job.owner = measured.tab;
+  job.document = &measured.tab->document;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = !showsSizes;
   job.work = [this, showsSizes, taking, tab = measured.tab, exercise = measured.exercise, changes = measured.changes,
               work = std::move(value), attempt = measured.attempt](Progress progress) -> Job::Finish {
     const Clock::time_point begun = Clock::now();
@@ -422,72 +407,6 @@ void RunningAttempt::take(const DocumentTab* tab, const ExerciseSnapshot& exerci
   if (!showsSizes) return;
   m_lesson->setMeasured(exercise, *marking);
   if (work->areSizesOld) m_lesson->setOutdated();
-}
-
-void RunningAttempt::handIn() {
-  auto* dialog = new QFileDialog(m_parts.window, tr("Hand in"), QString(),
-                                 tr("Handwheel documents (%1)").arg(QStringLiteral("*.handwheel")));
-  dialog->setObjectName(QStringLiteral("handInDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("handwheel"));
-  beginInFolderOf(*dialog, QStringLiteral("handIn"));
-  const Work* const work = current();
-  if (work)
-    dialog->selectFile(fileNameOf(
-        {QString::fromStdString(inLanguage(*work->exercise).title), QString::fromStdString(work->attempt.student)},
-        QStringLiteral("handwheel")));
-  connect(dialog, &QFileDialog::fileSelected, this, &RunningAttempt::writeSubmission);
-  dialog->open();
-}
-
-// It is handed in once the file is there, and not before.
-void RunningAttempt::writeSubmission(const QString& path) {
-  Work* const work = current();
-  if (!work) return;
-  if (m_parts.tabs.withPath(path)) {
-    emit message({Message::Weight::Error, tr("It could not be handed in"),
-                  tr("%1 is open, and would be replaced.").arg(QFileInfo(path).fileName()),
-                  tr("Choose another name for the file.")});
-    return;
-  }
-  work->tab->document.settle();
-  tick();
-  Job job;
-  job.name = tr("Handing in");
-  job.owner = work->tab;
-  job.lane = Job::Lane::Saving;
-  const auto failed = [this](const Error& error) { fail(tr("It could not be handed in"), error); };
-  job.failed = failed;
-  job.work = [this, path, failed, tab = work->tab, exercise = work->exercise, content = work->tab->document.snapshot(),
-              attempt = work->attempt, kind = m_parts.kinds.withId("exercise"),
-              recordings = work->tab->document.file().recordings](Progress progress) -> Job::Finish {
-    const Result<ExerciseSnapshot> made = handedIn(*exercise, content, attempt);
-    // Before the file, so that nothing is waited for when it is there.
-    const Marking marking = made ? markWork(*exercise, *content, attempt, progress.part(0.0, 0.5)) : Marking();
-    const QStringList missing = progress.cancelled() ? QStringList() : unmeasured(exercise->exercise, marking);
-    OpenedFile opened = DocumentKinds::blank(*kind);
-    opened.file.recordings = recordings;
-    const std::filesystem::path file = QFile::encodeName(path).toStdString();
-    const Result<WrittenFile> written = made ? saveDocument(*kind, opened.file, *made, file, progress.part(0.5, 1.0))
-                                             : Result<WrittenFile>(made.error());
-    if (!written) return [failed, error = written.error()] { failed(error); };
-    return [this, path, tab, student = QString::fromStdString(attempt.student), missing] {
-      Message handed{Message::Weight::Info, tr("Handed in by %1").arg(student),
-                     tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()),
-                     tr("Give that file to your teacher.")};
-      if (!missing.isEmpty()) {
-        handed.weight = Message::Weight::Warning;
-        handed.detail +=
-            QLatin1Char(' ') + tr("Some of it cannot be measured: %1").arg(missing.join(QStringLiteral("; ")));
-        handed.advice = tr("Give that file to your teacher, or go on with the work and hand it in once more.");
-      }
-      // The message is about the student's document and must not show beside the exercise.
-      if (m_parts.tabs.contains(tab)) handed.about = &tab->document;
-      emit message(handed);
-    };
-  };
-  m_parts.jobs.start(std::move(job));
 }
 
 void RunningAttempt::fail(const QString& title, const Error& error) {

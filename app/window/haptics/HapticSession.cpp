@@ -22,6 +22,12 @@ constexpr int kSampleMs = 16;  // 60 a second
 const auto kDriverKey = QStringLiteral("haptics/driver");
 const auto kAddressKey = QStringLiteral("haptics/address");
 
+// A device is not opened again before it is closed.
+QString resourceOf(const DeviceInfo& device) {
+  return QStringLiteral("device %1 %2")
+      .arg(QString::fromStdString(device.driver), QString::fromStdString(device.address));
+}
+
 // Closes what nobody has taken over.
 struct OpenedDevice {
   std::unique_ptr<Device> device;
@@ -133,6 +139,7 @@ DeviceCapabilities HapticSession::capabilities() const {
 void HapticSession::startOpening(bool isQuiet) {
   Job job;
   job.name = tr("Opening %1").arg(nameOf(m_chosen));
+  job.resource = resourceOf(m_chosen);
   job.owner = this;
   job.failed = [this, isQuiet](const Error& error) { failed(error, isQuiet); };
   job.work = [this, chosen = m_chosen, &clock = m_parts.clock, make = m_finder.maker(m_chosen.driver, m_chosen.address),
@@ -189,6 +196,7 @@ void HapticSession::closeLoop() {
   stopRecording();
   Job job;
   job.name = tr("Closing %1").arg(nameOf(m_chosen));
+  job.resource = resourceOf(m_chosen);
   job.work = [loop = std::exchange(m_open->loop, nullptr)](Progress) mutable -> Job::Finish {
     loop.reset();
     return {};

@@ -10,6 +10,7 @@
 #include "theme/Icons.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
+#include "window/documents/FileSaver.h"
 #include "window/haptics/HapticSession.h"
 
 #include <QFile>
@@ -189,7 +190,7 @@ void Recordings::askForFile() {
 
 void Recordings::writeCsv(const StoredRecording& recording, const QString& path) {
   const auto failed = [this, path](const Error& error) {
-    if (error.code == ErrorCode::Cancelled) return;
+    if (error.code == ErrorCode::Cancelled) return emit message(FileSaver::cancelledMessage(path));
     emit message({Message::Weight::Error,
                   tr("%1 could not be saved").arg(QFileInfo(path).fileName()),
                   errorSentence(error),
@@ -199,7 +200,9 @@ void Recordings::writeCsv(const StoredRecording& recording, const QString& path)
   };
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(path).fileName());
+  job.document = m_document;
   job.lane = Job::Lane::Saving;
+  job.resource = path;
   job.failed = failed;
   job.work = [this, failed, path, ticks = recording.ticks](Progress progress) -> Job::Finish {
     const Status written = exportRecording(ticks, QFile::encodeName(path).toStdString(), progress);

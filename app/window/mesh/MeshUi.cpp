@@ -333,7 +333,7 @@ std::vector<Hint> MeshUi::hints() {
 
 Suggestion MeshUi::suggestion() {
   if (m_document && m_show.isRunning()) return m_show.step();
-  if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
+  if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorkingOn(m_document)) return {};
   Suggestion step = suggestionFor(*m_document, {.repairAll = m_actions.repairAll(),
                                                 .undoRepair = m_actions.undoRepair(),
                                                 .removeDebris = m_actions.removeDebris(),

@@ -64,7 +64,8 @@ void ShellActions::setDocument(MeshTab* document) {
 void ShellActions::split() {
   Job job;
   job.name = m_split.iconText();
-  job.owner = m_document;
+  job.document = &m_document->document;
+  job.outlivesDocument = true;
   const bool isAsInFile = m_document->isAsInFile() && !m_document->document.isModified();
   const QString path = m_document->document.path();
   const QString command = isAsInFile ? splitCommand(path, shellsFolder(path)) : QString();
@@ -132,7 +133,7 @@ void ShellActions::askForMesh() {
 void ShellActions::add(MeshTab* document, const QString& path) {
   Job job;
   job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
-  job.owner = document;
+  job.document = &document->document;
   const QString title = tr("%1 could not be added").arg(QFileInfo(path).fileName());
   job.failed = [this, document, title](const Error& error) { reportFailed(document, title, error); };
   job.work = [this, document, path, title](Progress progress) -> Job::Finish {

@@ -36,8 +36,8 @@ class ToolHost : public QObject {
   void setVisible(bool visible);
   // Changes a setting of a tool, for the running tool and for later starts.
   void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
-  // Sets the effect of Esc in the view if the tool has nothing to revert, such as cancelling a job. The function
-  // returns true if it did anything; otherwise the key goes to the tool.
+  // Sets the effect of Esc in the view if the tool has nothing to revert, such as cancelling a job of the document. The
+  // function returns true if it did anything; otherwise the key goes to the tool.
   void setEscape(std::function<bool()> escape) { m_escape = std::move(escape); }
   ToolRunner& runner() { return m_runner; }
   // Returns true if the tool has unfinished work that the value of the document does not contain yet.

@@ -14,6 +14,7 @@
 
 #include <QFileInfo>
 #include <QLocale>
+#include <QPointer>
 #include <cmath>
 
 namespace handwheel {
@@ -61,7 +62,7 @@ void RemeshAction::ask() {
                                 : QFileInfo(document.path()).completeBaseName().toStdString();
   connect(m_dialog, &QDialog::finished, this,
           [this, title, isPrivate = document.file().hasPrivateName, unit = document.displayUnit(),
-           owner = static_cast<const void*>(&document)](int result) {
+           owner = QPointer<const Document>(&document)](int result) {
             m_predicting.cancelAll();
             if (result == QDialog::Accepted) make(title, isPrivate, unit, owner);
             m_volume.reset();
@@ -130,10 +131,12 @@ void RemeshAction::predict() {
   m_predicting.start(std::move(job));
 }
 
-void RemeshAction::make(const std::string& title, bool isPrivate, LengthUnit unit, const void* owner) {
+void RemeshAction::make(const std::string& title, bool isPrivate, LengthUnit unit, const Document* owner) {
   Job job;
   job.name = tr("Making the mesh");
-  job.owner = owner;
+  job.document = owner;
+  job.lane = Job::Lane::Looking;
+  job.outlivesDocument = true;
   const auto failed = [this](const Error& error) {
     if (error.code == ErrorCode::Cancelled) return;
     emit message({Message::Weight::Error, tr("The mesh was not made"), errorSentence(error), errorAdvice(error)});

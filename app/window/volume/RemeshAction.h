@@ -37,7 +37,7 @@ class RemeshAction : public QObject {
   Status change(const std::string& id, const PropertyValue& value);
   OperationValues wanted() const;
   void predict();
-  void make(const std::string& title, bool isPrivate, LengthUnit unit, const void* owner);
+  void make(const std::string& title, bool isPrivate, LengthUnit unit, const Document* owner);
 
   WindowContext m_parts;
   QAction m_action;

@@ -99,7 +99,9 @@ ReshapeServices ReshapeActions::services() {
     m_parts.jobs.cancelOf(this);
     Job job;
     job.name = QCoreApplication::translate("Tool", wanted.name);
+    job.document = &m_document->document;
     job.owner = this;
+    job.lane = Job::Lane::Looking;
     job.work = [this, work = std::move(wanted.work)](Progress progress) -> Job::Finish {
       return [this, finish = work(progress)] { m_parts.tools.runner().deliver(finish); };
     };

@@ -28,7 +28,6 @@ StampAction::StampAction(const WindowContext& parts, QObject* parent)
 }
 
 void StampAction::setDocument(DocumentTab* document) {
-  if (document != m_document) m_parts.jobs.cancelOf(this);
   m_document = document;
   m_action.setEnabled(document != nullptr);
 }
@@ -50,21 +49,23 @@ void StampAction::ask() {
 }
 
 void StampAction::load(const QString& path) {
-  m_parts.jobs.cancelOf(this);
   Job job;
   job.name = tr("Loading a stamp");
+  job.document = &m_document->document;
   job.owner = this;
-  job.work = [this, path](Progress progress) -> Job::Finish {
+  job.lane = Job::Lane::Looking;
+  job.work = [this, path, document = m_document](Progress progress) -> Job::Finish {
     const std::filesystem::path file(QFile::encodeName(path).toStdString());
     const auto stamp = readBrushStamp(file, m_parts.kinds, progress);
-    return [this, path, stamp] {
+    return [this, path, document, stamp] {
       if (!stamp) {
         if (stamp.error().code != ErrorCode::Cancelled)
           emit message({Message::Weight::Error, tr("The stamp cannot be loaded"), errorSentence(stamp.error()),
                         errorAdvice(stamp.error())});
         return;
       }
-      use(m_stamps->add(QFileInfo(path).fileName().toStdString(), *stamp));
+      const std::size_t number = m_stamps->add(QFileInfo(path).fileName().toStdString(), *stamp);
+      if (document == m_document) use(number);
     };
   };
   m_parts.jobs.start(std::move(job));

@@ -193,6 +193,7 @@ void VolumeUi::followFidelity() {
 void VolumeUi::begin(const QString&) {
   Job job;
   job.name = tr("Making the skull");
+  job.owner = this;
   // The window may be destroyed while the worker runs, so the worker only uses the kind, which outlives it.
   job.work = [this, &kind = m_kind](Progress) {
     OpenedFile opened{&kind, {}, skullContent(kind.pieceCells())};

@@ -33,7 +33,8 @@ void VoxelizeQuestion::ask(const Document& from, VoxelizeSettings::Purpose purpo
   if (m_dialog) return m_dialog->raise();
   Job job;
   job.name = tr("Measuring %1").arg(from.name());
-  job.owner = &from;
+  job.document = &from;
+  job.lane = Job::Lane::Looking;
   job.failed = [this, name = from.name()](const Error& error) {
     if (error.code == ErrorCode::Cancelled) return;
     emit message({Message::Weight::Error, tr("%1 was not copied").arg(name), errorSentence(error), errorAdvice(error)});

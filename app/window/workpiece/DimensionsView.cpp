@@ -115,7 +115,7 @@ void DimensionsView::refresh() {
   m_isFromBehind = isBehindLathe(m_parts.viewport.camera());
   Job job;
   job.name = tr("Measuring");
-  job.owner = m_document;
+  job.document = &m_document->document;
   job.work = [this, document = m_document, isFromBehind = m_isFromBehind,
               value =
                   static_cast<const WorkpieceDocument&>(m_document->document).workpiece()](Progress) -> Job::Finish {

@@ -209,7 +209,10 @@ void ReplayDock::prepare() {
   if (!part) return;
   Job job;
   job.name = tr("Preparing the replay");
+  job.document = &m_document->document;
   job.owner = this;
+  job.lane = Job::Lane::Looking;
+  job.isUnasked = true;
   job.work = [this, work, name = m_document->document.name()](Progress progress) -> Job::Finish {
     const PlayedPointer played = playedOf(name, work, progress);
     return [this, played] {
@@ -254,7 +257,9 @@ void ReplayDock::compareWith(const QString& path) {
   const QString name = QFileInfo(path).fileName();
   Job job;
   job.name = tr("Preparing the replay");
+  job.document = &m_document->document;
   job.owner = this;
+  job.lane = Job::Lane::Looking;
   const auto failed = [this, name](const QString& reason) {
     emit message({Message::Weight::Error, tr("%1 cannot be compared").arg(name), reason});
   };

@@ -178,7 +178,7 @@ void TargetActions::refresh() {
   if (!owner) return;
   Job job;
   job.name = tr("Measuring");
-  job.owner = m_document;
+  job.document = &m_document->document;
   job.work = [this, document = m_document, value = owner->workpiece()](Progress progress) -> Job::Finish {
     PartMeasurement found = measure(value, progress);
     return [this, document, made = std::move(found)] {
@@ -232,7 +232,7 @@ void TargetActions::askForFile() {
 void TargetActions::importFrom(DocumentTab* document, const QString& path) {
   Job job;
   job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
-  job.owner = document;
+  job.document = &document->document;
   const auto failed = [this, path](const Error& error) {
     if (error.code == ErrorCode::Cancelled) return;
     emit message({Message::Weight::Error, tr("%1 cannot be used as a target").arg(QFileInfo(path).fileName()),

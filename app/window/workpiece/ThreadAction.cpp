@@ -45,7 +45,7 @@ void ThreadAction::cut(DocumentTab* document, const TurningPass& pass) {
   const auto& owner = static_cast<const WorkpieceDocument&>(document->document);
   Job job;
   job.name = tr("Cutting the thread");
-  job.owner = document;
+  job.document = &document->document;
   job.work = [this, document, pass, value = owner.workpiece(),
               spacing = m_parts.fidelity.values().of(turnSpacingSetting())](Progress progress) -> Job::Finish {
     auto part = withPass(value, pass, spacing, progress);

@@ -130,13 +130,9 @@ void WorkpieceUi::refreshVisibility() {
 }
 
 void WorkpieceUi::forget(DocumentTab* document) {
-  parts().jobs.cancelOf(document);
-  m_loads.cancelOf(document);
-  m_sections.cancelOf(document);
-  if (m_loaded == document) {
-    m_loaded = nullptr;
-    m_loadedPart.reset();
-  }
+  m_loads.forget(&document->document);
+  m_sections.forget(&document->document);
+  m_loadedParts.erase(document);
   if (m_parted == document) {
     m_parted = nullptr;
     m_partedPart.reset();
@@ -235,24 +231,22 @@ void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
 void WorkpieceUi::watchLoads() {
   if (!document()) return;
   const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(document()->document).workpiece();
-  const bool isOther = std::exchange(m_loaded, document()) != document();
-  if (isOther) m_loads.cancelAll();
   const auto passesOf = [](const TurnedPart* part) { return part ? part->passes.size() : 0; };
-  // After undo, or when another document is shown, no pass is new.
-  if (isOther || passesOf(workpiece.part.get()) <= passesOf(m_loadedPart.get())) m_loadedPart = workpiece.part;
-  const auto task = m_loadedPart == workpiece.part ? nullptr : assignedTask(document()->document.file().assigned);
+  // After undo, or when a document is shown for the first time, no pass is new.
+  auto& loaded = m_loadedParts.emplace(document(), workpiece.part).first->second;
+  if (passesOf(workpiece.part.get()) <= passesOf(loaded.get())) loaded = workpiece.part;
+  const auto task = loaded == workpiece.part ? nullptr : assignedTask(document()->document.file().assigned);
   if (!task) return;
   Job job;
   job.name = tr("Checking force and power");
-  job.owner = document();
-  job.work = [this, task, workpiece, before = m_loadedPart, document = document()](Progress progress) -> Job::Finish {
+  job.document = &document()->document;
+  job.work = [this, task, workpiece, before = loaded, document = document()](Progress progress) -> Job::Finish {
     const auto peaks = peakLoads(*task, workpiece, before.get(), progress);
     if (!peaks) return {};
     return [this, task, document, part = workpiece.part, found = *peaks] {
-      if (document != m_loaded) return;
       // Undone or cut on since: the part of now is looked at by its own job.
       if (static_cast<const WorkpieceDocument&>(document->document).workpiece().part != part) return;
-      m_loadedPart = part;
+      m_loadedParts[document] = part;
       warnOfLoads(document, *task, found.first, found.second);
     };
   };
@@ -266,7 +260,7 @@ void WorkpieceUi::prepareSection() {
   if (!part || part->profile.section()->isKnown()) return;
   Job job;
   job.name = tr("Measuring the part");
-  job.owner = document();
+  job.document = &document()->document;
   job.work = [this, source = part->profile.section()](Progress progress) -> Job::Finish {
     if (!source->prepare(progress)) return {};
     return [this] { emit stateChanged(); };
@@ -276,7 +270,6 @@ void WorkpieceUi::prepareSection() {
 
 // Once for each pass; it goes with the next one, or when it is undone.
 void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, double force, double power) {
-  if (loaded != document()) return;
   const QLocale locale;
   QStringList lines;
   if (force > task.forceLimit)
@@ -293,7 +286,7 @@ void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, doub
                 lowersMarks ? tr("It is in the report, and lowers the marks. Undo it, and use a smaller depth or feed.")
                             : tr("It is in the report. Undo it, and use a smaller depth or feed.")};
   heavy.about = &loaded->document;
-  heavy.isOver = [loaded, of = m_loadedPart] {
+  heavy.isOver = [loaded, of = m_loadedParts[loaded]] {
     return static_cast<const WorkpieceDocument&>(loaded->document).workpiece().part != of;
   };
   emit message(heavy);

@@ -79,12 +79,12 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;
-  JobRunner m_loads;     // computes the loads of an exercise's passes on its lathe
-  JobRunner m_sections;  // computes the exact sections of passes by hand
-  const DocumentTab* m_loaded = nullptr;
+  JobRunner m_loads;                               // computes the loads of an exercise's passes on its lathe
+  JobRunner m_sections;                            // computes the exact sections of passes by hand
   const DocumentTab* m_parted = nullptr;           // the document of m_partedPart
   std::shared_ptr<const TurnedPart> m_partedPart;  // the part when its pieces were last counted
-  std::shared_ptr<const TurnedPart> m_loadedPart;  // part of m_loaded whose passes have been checked
+  // The part of each document whose passes have been checked.
+  std::map<const DocumentTab*, std::shared_ptr<const TurnedPart>> m_loadedParts;
   std::size_t m_passes = 0;                // number of passes of the current document when followTool() last ran
   bool m_isLathe = false;                  // true: the tool of the lathe runs
   std::shared_ptr<TurningChannel> m_felt;  // channel of the tool whose force source is in the haptic scene; null: none

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshDocuments.h"
+#include "MeshShapes.h"
 #include "TestClass.h"
 #include "window/JobRunner.h"
 
@@ -160,7 +162,7 @@ class JobRunnerTest : public QObject {
                     [&failed, name](const Error& error) {
                       if (error.code == ErrorCode::Cancelled) failed << QString::fromLatin1(name);
                     },
-                    owner});
+                    nullptr, owner});
     };
     add("a", &mine);
     add("b", &others);
@@ -171,6 +173,193 @@ class JobRunnerTest : public QObject {
     QCOMPARE(done, QStringList({"b", "d"}));
     failed.sort();
     QCOMPARE(failed, QStringList({"a", "c"}));
+  }
+
+  // A document's jobs run one after another; those of others, and what only looks at it, do not wait for them.
+  void documentsDoNotWaitForEachOther() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(kJobThreads);
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
+    QSemaphore release;
+    QStringList done;
+    const auto add = [&](const char* name, const Document* document, Job::Lane lane, bool isLong = false) {
+      Job job;
+      job.name = QString::fromLatin1(name);
+      job.document = document;
+      job.owner = name;
+      job.lane = lane;
+      job.work = [&, isLong, name = job.name](Progress) -> Job::Finish {
+        if (isLong) release.acquire();
+        return [&done, name] { done << name; };
+      };
+      runner.start(std::move(job));
+    };
+    add("repair a", a.get(), Job::Lane::Work, true);
+    add("search a", a.get(), Job::Lane::Looking, true);
+    add("fill a", a.get(), Job::Lane::Work);
+    add("fill b", b.get(), Job::Lane::Work);
+    QTRY_COMPARE(done, QStringList{"fill b"});
+    add("measure a", a.get(), Job::Lane::Looking);
+    QTRY_COMPARE(done, QStringList({"fill b", "measure a"}));
+    QVERIFY(runner.isBusyWith(a.get()) && !runner.isBusyWith(b.get()));
+    release.release(2);
+    QTRY_VERIFY(runner.isIdle());
+    QVERIFY(done.indexOf("repair a") < done.indexOf("fill a"));
+    QCOMPARE(done.size(), 5);
+  }
+
+  // Two documents that are saved as the same file.
+  void whatUsesTheSameFileRunsInOrder() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(kJobThreads);
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
+    QSemaphore release;
+    QStringList done;
+    const auto save = [&](const Document* document, const char* path, bool isLong) {
+      Job job;
+      job.document = document;
+      job.lane = Job::Lane::Saving;
+      job.resource = QString::fromLatin1(path);
+      job.work = [&, path, isLong](Progress) -> Job::Finish {
+        if (isLong) release.acquire();
+        return [&, path, isLong] { done << QString::fromLatin1(path) + (isLong ? " first" : ""); };
+      };
+      runner.start(std::move(job));
+    };
+    save(a.get(), "x", true);
+    save(b.get(), "x", false);
+    save(nullptr, "y", false);
+    QTRY_COMPARE(done, QStringList{"y"});
+    release.release();
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(done, QStringList({"y", "x first", "x"}));
+  }
+
+  // Neither long jobs nor those of libraries that cannot be interrupted keep a thread from an instant job.
+  void abandonedJobsKeepNoThread() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(1);
+    QSemaphore release;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    std::atomic<int> stuck{0};
+    for (int i = 1; i <= 5; ++i) {
+      runner.start({"stuck", [&](Progress) -> Job::Finish {
+                      ++stuck;
+                      release.acquire();
+                      return {};
+                    }});
+      QTRY_COMPARE(stuck.load(), i);
+      runner.cancelAll();
+    }
+    bool done = false;
+    runner.start({"instant", [&](Progress) -> Job::Finish { return [&] { done = true; }; }});
+    QTRY_VERIFY(done);
+    release.release(5);
+    pool.waitForDone();
+    // Afterwards there are as many threads as before.
+    std::atomic<int> together{0};
+    for (int i = 0; i < 2; ++i)
+      pool.start([&] {
+        ++together;
+        release.acquire();
+      });
+    QTRY_COMPARE(together.load(), 1);
+    QTest::qWait(50);
+    QCOMPARE(together.load(), 1);
+    release.release(2);
+    pool.waitForDone();
+  }
+
+  // The user takes back what was asked for last in this document, and hears of it.
+  void theLatestOfADocumentIsCancelled() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(kJobThreads);
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
+    QSemaphore release;
+    QStringList done, failed, said;
+    connect(&runner, &JobRunner::cancelled, this, [&](const JobStatus& job, const Document* document) {
+      said << job.name;
+      QCOMPARE(document, a.get());
+    });
+    const auto add = [&](const char* name, const Document* document, Job::Lane lane, bool isUnasked = false) {
+      Job job;
+      job.name = QString::fromLatin1(name);
+      job.document = document;
+      job.lane = lane;
+      job.isUnasked = isUnasked;
+      job.work = [&, name](Progress) -> Job::Finish {
+        release.acquire();
+        return [&, name] { done << QString::fromLatin1(name); };
+      };
+      job.failed = [&, name](const Error&) { failed << QString::fromLatin1(name); };
+      runner.start(std::move(job));
+    };
+    add("repair", a.get(), Job::Lane::Work);
+    add("fill", a.get(), Job::Lane::Work);
+    add("search", a.get(), Job::Lane::Looking, true);
+    add("save", a.get(), Job::Lane::Saving);
+    add("other", b.get(), Job::Lane::Work);
+    add("open", nullptr, Job::Lane::Work);
+    QVERIFY(runner.cancelLatestOf(a.get()));
+    QCOMPARE(failed, QStringList{"fill"});
+    QVERIFY(runner.cancelLatestOf(a.get()));
+    QCOMPARE(failed, QStringList({"fill", "repair"}));
+    QVERIFY(!runner.cancelLatestOf(a.get()));
+    QVERIFY(!runner.cancelLatestOf(nullptr));
+    QCOMPARE(said, failed);
+    for (const JobStatus& job : runner.jobs())
+      if (job.name == "search") runner.cancel(job.id);
+    QCOMPARE(said.size(), 2);  // nobody asked for it
+    release.release(6);
+    QTRY_VERIFY(runner.isIdle());
+    done.sort();
+    QCOMPARE(done, QStringList({"open", "other", "save"}));
+  }
+
+  // A file that is being written is written, and a copy that is being made is made.
+  void aClosedDocumentTakesItsOwnJobsAlong() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(kJobThreads);
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    auto a = test::meshDocument(test::cube());
+    const auto b = test::meshDocument(test::cube());
+    QSemaphore release;
+    QStringList done, failed;
+    int said = 0;
+    connect(&runner, &JobRunner::cancelled, this, [&] { ++said; });
+    const auto add = [&](const char* name, const Document* document, Job::Lane lane, bool outlives = false) {
+      Job job;
+      job.name = QString::fromLatin1(name);
+      job.document = document;
+      job.lane = lane;
+      job.outlivesDocument = outlives;
+      job.work = [&, name](Progress progress) -> Job::Finish {
+        release.acquire();
+        if (progress.cancelled()) return {};
+        return [&, name] { done << QString::fromLatin1(name); };
+      };
+      job.failed = [&, name](const Error&) { failed << QString::fromLatin1(name); };
+      runner.start(std::move(job));
+    };
+    add("repair", a.get(), Job::Lane::Work);
+    add("fill", a.get(), Job::Lane::Work);
+    add("search", a.get(), Job::Lane::Looking);
+    add("copy", a.get(), Job::Lane::Saving, true);
+    add("save", a.get(), Job::Lane::Saving);
+    add("other", b.get(), Job::Lane::Work);
+    runner.forget(a.get());
+    a.reset();
+    failed.sort();
+    QCOMPARE(failed, QStringList({"fill", "repair", "search"}));
+    QCOMPARE(said, 0);
+    QCOMPARE(runner.jobs().front().document.isEmpty(), false);  // its name is still known
+    release.release(6);
+    QTRY_VERIFY(runner.isIdle());
+    done.sort();
+    QCOMPARE(done, QStringList({"copy", "other", "save"}));
   }
 
   void theLatestReplacesTheOthersAndWaitsForTheFirstToLetGo() {
@@ -190,6 +379,33 @@ class JobRunnerTest : public QObject {
     QTRY_VERIFY(runner.isIdle());
     QCOMPARE(shown, 5);
     QVERIFY(!together);
+  }
+
+  // A request of one document does not drop that of another.
+  void theLatestReplacesThoseOfItsDocument() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(kJobThreads);
+    JobRunner runner(JobRunner::Policy::Latest, pool);
+    const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
+    QSemaphore release;
+    QStringList done;
+    const auto add = [&](const char* name, const Document* document) {
+      Job job;
+      job.document = document;
+      job.work = [&, name](Progress) -> Job::Finish {
+        release.acquire();
+        return [&, name] { done << QString::fromLatin1(name); };
+      };
+      runner.start(std::move(job));
+    };
+    add("a 1", a.get());
+    add("b", b.get());
+    add("a 2", a.get());
+    add("a 3", a.get());
+    release.release(4);
+    QTRY_VERIFY(runner.isIdle());
+    done.sort();
+    QCOMPARE(done, QStringList({"a 3", "b"}));
   }
 
   void runningOutOfMemoryIsReported() {

@@ -3,6 +3,10 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "document/DisplayUnitEdit.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -24,6 +28,19 @@ class JobsWindowTest : public QObject {
     if (!QTest::qWaitFor([&] { return driver.window().isWindowModified(); }, kPatienceMs)) qFatal("nothing is filled");
     if (!driver.settle()) qFatal("no end");
     return path;
+  }
+
+  // A job of a document that takes as long as the test wants, and changes the display unit.
+  static void startChange(WindowDriver& driver, DocumentTab& tab, QSemaphore& release) {
+    driver.useAllThreads();
+    Job job;
+    job.name = QStringLiteral("Changing the unit");
+    job.document = &tab.document;
+    job.work = [&tab, &release](Progress) -> Job::Finish {
+      release.acquire();
+      return [&tab] { tab.document.commit("unit", std::make_unique<DisplayUnitEdit>(LengthUnit::Inch)); };
+    };
+    driver.find<JobRunner>("jobs")->start(std::move(job));
   }
 
   static QStringList shownJobs(WindowDriver& driver) {
@@ -74,6 +91,75 @@ class JobsWindowTest : public QObject {
     QCOMPARE(driver.count(DefectKind::Hole), 1);
     QVERIFY(!driver.window().isWindowModified());
     QCOMPARE(openEdges(readStl(path)), 4);
+  }
+
+  // The document in the other tab works on.
+  void escapeLeavesTheJobsOfOtherDocuments() {
+    WindowDriver driver;
+    QSemaphore release;
+    openHalfRepaired(driver, "first.stl");
+    DocumentTab* const first = driver.find<DocumentTabs>("tabRow")->current();
+    openHalfRepaired(driver, "second.stl");
+    DocumentTab* const second = driver.find<DocumentTabs>("tabRow")->current();
+    startChange(driver, *first, release);
+    auto* const view = driver.find<Viewport>("viewport");
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Escape);
+    QVERIFY(driver.find<QWidget>("jobBar")->isVisible());
+    QVERIFY2(driver.tip("jobName").contains("first.stl"), qPrintable(driver.tip("jobName")));
+    // Also not from a panel, which is that of the document in view.
+    auto* const list = driver.find<QWidget>("defectList");
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Escape);
+    QVERIFY(!driver.find<QWidget>("messageBar")->isVisible());
+
+    startChange(driver, *second, release);
+    QTest::keyClick(list, Qt::Key_Escape);
+    QTRY_VERIFY(driver.find<QWidget>("messageBar")->isVisible());
+    const QString said = driver.text("messageText");
+    QVERIFY2(said.contains("Changing the unit") && said.contains("cancelled") && said.contains("second.stl"),
+             qPrintable(said));
+    release.release(2);
+    QVERIFY(driver.settle());
+    QCOMPARE(first->document.displayUnit(), LengthUnit::Inch);
+    QCOMPARE(second->document.displayUnit(), LengthUnit::Millimetre);
+  }
+
+  // Minutes of work in one tab are no matter to the others.
+  void anInstantChangeDoesNotWaitForAnotherDocument() {
+    WindowDriver driver;
+    driver.useAllThreads();
+    QSemaphore release;
+    openHalfRepaired(driver, "slow.stl");
+    DocumentTab* const slow = driver.find<DocumentTabs>("tabRow")->current();
+    openHalfRepaired(driver, "quick.stl");
+    startChange(driver, *slow, release);
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("fillHoleButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QVERIFY2(driver.tip("jobName").contains("slow.stl"), qPrintable(driver.tip("jobName")));
+    QCOMPARE(slow->document.displayUnit(), LengthUnit::Millimetre);
+    release.release();
+    QVERIFY(driver.settle());
+    QCOMPARE(slow->document.displayUnit(), LengthUnit::Inch);
+  }
+
+  void closingADocumentLeavesTheJobsOfOthers() {
+    WindowDriver driver;
+    QSemaphore release;
+    openHalfRepaired(driver, "kept.stl");
+    auto* const tabs = driver.find<DocumentTabs>("tabRow");
+    DocumentTab* const kept = tabs->current();
+    openHalfRepaired(driver, "closed.stl");
+    startChange(driver, *kept, release);
+    startChange(driver, *tabs->current(), release);
+    QVERIFY(driver.find<QToolButton>("jobMore")->isVisible());
+    tabs->close(tabs->current());
+    QTRY_VERIFY(!driver.find<QToolButton>("jobMore")->isVisible());
+    QVERIFY2(driver.tip("jobName").contains("kept.stl"), qPrintable(driver.tip("jobName")));
+    release.release(2);
+    QVERIFY(driver.settle());
+    QCOMPARE(kept->document.displayUnit(), LengthUnit::Inch);
   }
 
   // A second click must not reduce what the first is reducing.

@@ -5,6 +5,7 @@
 #include "builtin/BuiltInKinds.h"
 #include "panels/defects/DefectModel.h"
 #include "viewport/Viewport.h"
+#include "window/JobRunner.h"
 #include "window/MainWindow.h"
 
 #include <QAbstractButton>
@@ -89,6 +90,10 @@ class WindowDriver {
   }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
 
+  QString tip(const char* name) { return find<QWidget>(name)->toolTip(); }
+
+  // Uses as many threads as the program.
+  void useAllThreads() { m_workers.setMaxThreadCount(kJobThreads); }
   // Occupies the only worker thread, so that no job starts before release().
   void hold() {
     m_workers.setMaxThreadCount(1);

@@ -193,7 +193,9 @@ void ProximityDock::start() {
   const ArmValues present = scene->planned(static_cast<const RobotCellDocument&>(m_document->document).joints());
   Job job;
   job.name = tr("Measuring the distance queries");
+  job.document = &m_document->document;
   job.owner = this;
+  job.lane = Job::Lane::Looking;
   job.failed = [this](const Error&) { setState(State::Idle); };
   job.work = [this, scene, present, wanted, request = m_request](Progress progress) -> Job::Finish {
     const MeasuredScenario measured = measuredScenario(scene->scene, present, wanted, request, progress);

@@ -16,6 +16,7 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
+#include "window/documents/FileSaver.h"
 #include "window/mesh/MeshReading.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/UnobstructedView.h"
@@ -74,9 +75,7 @@ DeviationView::DeviationView(const WindowContext& parts, MeshLayer& layer, QObje
     m_document->deviation->scale.range = range;
     m_layer.setColourScale(m_document->deviation->scale);
   });
-  connect(&m_parts.tabs, &DocumentTabs::closing, this, [this](const DocumentTab* document) {
-    if (m_running == document) stop();
-  });
+  connect(&m_parts.tabs, &DocumentTabs::closing, this, [this](const DocumentTab* document) { stop(document); });
   connect(&m_parts.viewport, &Viewport::hovered, this, &DeviationView::read);
 }
 
@@ -94,25 +93,28 @@ void DeviationView::setDocument(MeshTab* document) {
 }
 
 bool DeviationView::isShown() const {
-  return m_document && (m_document->deviation || m_running == m_document);
+  return m_document && (m_document->deviation || isRunning(m_document));
 }
 
 void DeviationView::refresh() {
   std::shared_ptr<MeshDeviation>& found = m_document->deviation;
   if (found && found->changes != m_document->changes) found.reset();
-  const bool isRunning = m_running == m_document;
   found ? m_layer.setSurfaceValues(found->atVertex, found->scale) : m_layer.setSurfaceValues(nullptr, {});
-  if (m_panel) m_panel->show(found.get(), m_document->document.displayUnit(), isRunning ? tr("Comparing…") : QString());
+  if (m_panel)
+    m_panel->show(found.get(), m_document->document.displayUnit(),
+                  isRunning(m_document) ? tr("Comparing…") : QString());
   emit shownChanged();
 }
 
 void DeviationView::compare(MeshTab* document, const QString& path, Round round) {
-  stop();
-  m_running = document;
+  stop(document);
+  const auto running = m_running.emplace(document, ++m_requests).first;
   Job job;
   job.name = tr("Comparing %1").arg(document->document.name());
-  job.owner = this;
-  job.work = [this, document, path, round, request = m_request, changes = document->changes,
+  job.document = &document->document;
+  job.owner = &running->second;
+  job.lane = Job::Lane::Looking;
+  job.work = [this, document, path, round, request = m_requests, changes = document->changes,
               mesh = document->document.mesh(), opened = document->asOpened](Progress progress) -> Job::Finish {
     const Result<HalfEdgeMesh> scan =
         path.isEmpty() ? Result<HalfEdgeMesh>(opened) : readMesh(m_parts.kinds, path, progress.part(0.0, 0.2));
@@ -122,10 +124,10 @@ void DeviationView::compare(MeshTab* document, const QString& path, Round round)
     (*found)->file = path;
     (*found)->changes = changes;
     return [this, document, request, round, made = *found] {
-      if (request == m_request) take(document, made, round);
+      if (isRunning(document, request)) take(document, made, round);
     };
   };
-  job.failed = [this, document, request = m_request](const Error& error) { fail(document, request, error); };
+  job.failed = [this, document, request = m_requests](const Error& error) { fail(document, request, error); };
   m_parts.jobs.start(std::move(job));
   refresh();
 }
@@ -133,7 +135,7 @@ void DeviationView::compare(MeshTab* document, const QString& path, Round round)
 void DeviationView::take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round) {
   const bool isStale = found->changes != document->changes;
   if (isStale && round == Round::First) return compare(document, found->file, Round::Second);
-  m_running = nullptr;
+  m_running.erase(document);
   if (!isStale) {
     const QString largest = QLocale().toString(found->ofMesh().farthest().distance, 'g', 4);
     const QString command = !found->file.isEmpty() && document->isAsInFile() && !document->document.isModified()
@@ -146,8 +148,8 @@ void DeviationView::take(MeshTab* document, std::shared_ptr<MeshDeviation> found
 }
 
 void DeviationView::fail(MeshTab* document, std::uint64_t request, const Error& error) {
-  if (request != m_request) return;
-  m_running = nullptr;
+  if (!isRunning(document, request)) return;
+  m_running.erase(document);
   if (document == m_document) refresh();
   if (error.code == ErrorCode::Cancelled) return;
   emit message({Message::Weight::Error,
@@ -161,14 +163,18 @@ void DeviationView::fail(MeshTab* document, std::uint64_t request, const Error& 
                 &document->document});
 }
 
-void DeviationView::stop() {
-  ++m_request;
-  m_running = nullptr;
-  m_parts.jobs.cancelOf(this);
+void DeviationView::stop(const DocumentTab* document) {
+  const auto running = m_running.extract(document);
+  if (!running.empty()) m_parts.jobs.cancelOf(&running.mapped());
+}
+
+bool DeviationView::isRunning(const DocumentTab* document, std::uint64_t request) const {
+  const auto running = m_running.find(document);
+  return running != m_running.end() && (request == 0 || running->second == request);
 }
 
 void DeviationView::close() {
-  if (m_running == m_document) stop();
+  stop(m_document);
   m_document->deviation.reset();
   refresh();
 }
@@ -208,7 +214,9 @@ void DeviationView::saveReport(const QString& path) {
   comparison.deviation = found->statistics;
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
+  job.document = &m_document->document;
   job.lane = Job::Lane::Saving;
+  job.resource = path;
   job.work = [this, path, found, comparison = std::move(comparison),
               mesh = m_document->document.mesh()](Progress progress) mutable -> Job::Finish {
     const Result<QImage> picture = deviationPicture(mesh, found->atVertex, found->scale, progress);
@@ -226,7 +234,7 @@ void DeviationView::saveReport(const QString& path) {
 
 // A report without pictures is better than none; but one hears of it.
 void DeviationView::reportSaved(const QString& path, const std::optional<Error>& problem) {
-  if (problem && problem->code == ErrorCode::Cancelled) return;
+  if (problem && problem->code == ErrorCode::Cancelled) return emit message(FileSaver::cancelledMessage(path));
   const QString name = QFileInfo(path).fileName();
   if (!problem) return m_parts.log.add(tr("Saved the report %1").arg(name));
   emit message({Message::Weight::Warning,

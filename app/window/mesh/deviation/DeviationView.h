@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QPointer>
+#include <map>
 
 namespace handwheel {
 
@@ -41,7 +42,9 @@ class DeviationView : public QObject {
   void compare(MeshTab* document, const QString& path, Round round);
   void take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round);
   void fail(MeshTab* document, std::uint64_t request, const Error& error);
-  void stop();
+  void stop(const DocumentTab* document);
+  // Returns true if this comparison of the document runs; request: its number, 0: any.
+  bool isRunning(const DocumentTab* document, std::uint64_t request = 0) const;
   void close();
   void refresh();
   void askForFile();
@@ -56,8 +59,8 @@ class DeviationView : public QObject {
   QAction m_action;
   QPointer<DeviationPanel> m_panel;
   MeshTab* m_document = nullptr;
-  const MeshTab* m_running = nullptr;  // document whose comparison is running
-  std::uint64_t m_request = 0;  // number of the present comparison; the results of earlier comparisons are discarded
+  std::map<const DocumentTab*, std::uint64_t> m_running;  // number of the running comparison of each document
+  std::uint64_t m_requests = 0;
 };
 
 }  // namespace handwheel

@@ -134,7 +134,7 @@ void RepairActions::follow() {
   offer(m_keepOpen, loop >= 0, tr("Select a hole first."));
   m_keepOpen.setChecked(kept);
   offer(m_deselect, loop >= 0, tr("Nothing is selected."));
-  m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
+  m_preview.request(document, !m_jobs.isWorkingOn(document) && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
   followUndo();
 }

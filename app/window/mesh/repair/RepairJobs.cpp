@@ -43,13 +43,13 @@ RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log), m_fidelity(fidelity) {
   connect(&tabs, &DocumentTabs::closing, this, [this](DocumentTab* document) {
     dropChanges(document);
-    m_jobs.cancelOf(document);
+    m_jobs.forget(&document->document);
   });
 }
 
 QString RepairJobs::obstacle(const MeshTab* document) const {
   if (!document) return tr("Open a mesh first.");
-  return isWorking() ? tr("A mesh is being changed.") : QString();
+  return isWorkingOn(document) ? tr("The mesh is being changed.") : QString();
 }
 
 void RepairJobs::fill(MeshTab* document, int loop, PreparedFill prepared) {
@@ -115,23 +115,23 @@ void RepairJobs::removeDebris(MeshTab* document) {
 }
 
 void RepairJobs::change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of) {
-  m_changes.push_back({document, std::move(wanted), of});
-  if (m_changes.size() == 1) startChange(m_changes.front(), Round::First);
+  std::deque<Request>& changes = m_changes[document];
+  changes.push_back({document, std::move(wanted), of});
+  if (changes.size() == 1) startChange(changes.front(), Round::First);
 }
 
-void RepairJobs::changeEnded() {
-  const MeshChange ended = std::move(m_changes.front().wanted);
-  m_changes.pop_front();
-  if (!m_changes.empty()) startChange(m_changes.front(), Round::First);
+void RepairJobs::changeEnded(const DocumentTab* document) {
+  const auto changes = m_changes.find(document);
+  const MeshChange ended = std::move(changes->second.front().wanted);
+  changes->second.pop_front();
+  changes->second.empty() ? void(m_changes.erase(changes)) : startChange(changes->second.front(), Round::First);
   ended.ended();
 }
 
 // Removes the changes that are not running.
 void RepairJobs::dropChanges(const DocumentTab* document) {
-  if (m_changes.empty()) return;
-  m_changes.erase(std::remove_if(m_changes.begin() + 1, m_changes.end(),
-                                 [document](const auto& change) { return change.document == document; }),
-                  m_changes.end());
+  const auto changes = m_changes.find(document);
+  if (changes != m_changes.end()) changes->second.resize(1);
 }
 
 void RepairJobs::startChange(Request request, Round round) {
@@ -154,17 +154,17 @@ void RepairJobs::startChange(Request request, Round round) {
     if (progress.cancelled()) return {};
     if (request.wanted.isFix) effects.cutOff = cutOffCorners(mesh, oldDebris, after);
     return [this, request, round, text, effects, after] {
-      if (!m_tabs.contains(request.document)) return changeEnded();
+      if (!m_tabs.contains(request.document)) return changeEnded(request.document);
       if (!isStale(request.document, request.revision)) {
         changed(request, text, after, effects);
-        return changeEnded();
+        return changeEnded(request.document);
       }
       reportStale(*request.document, round);
       if (round == Round::First) return startChange({request.document, request.wanted, {}}, Round::Second);
-      changeEnded();
+      changeEnded(request.document);
     };
   };
-  job.failed = [this](const Error&) { changeEnded(); };
+  job.failed = [this, document](const Error&) { changeEnded(document); };
   start(document, std::move(job));
 }
 
@@ -323,7 +323,7 @@ void RepairJobs::reportStale(const MeshTab& document, Round round) {
 }
 
 void RepairJobs::start(const DocumentTab* document, Job job) {
-  job.owner = document;
+  job.document = &document->document;
   m_working.insert(document);
   emit workingChanged();
   job.work = [this, document, work = std::move(job.work)](Progress progress) -> Job::Finish {
@@ -341,8 +341,9 @@ void RepairJobs::start(const DocumentTab* document, Job job) {
 }
 
 void RepairJobs::reportFailure(const DocumentTab* document, const QString& job, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return;
   m_log.add(job + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
-  if (error.code == ErrorCode::Cancelled || !m_tabs.contains(document)) return;
+  if (!m_tabs.contains(document)) return;
   emit message(jobFailedMessage(document->document, job, error));
 }
 

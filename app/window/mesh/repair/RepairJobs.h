@@ -37,8 +37,8 @@ class RepairJobs : public QObject {
   void fill(MeshTab* document, int loop, PreparedFill prepared);
   void repairAll(MeshTab* document);
   void removeDebris(MeshTab* document);
-  // Applies a change. "of" names the defects that it fixes; it is empty for the change of a tool. Changes run one after
-  // the other.
+  // Applies a change. "of" names the defects that it fixes; it is empty for the change of a tool. Changes of a document
+  // run one after the other.
   void change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of = std::nullopt);
 
   // Return true if a fill, a repair or another change is waiting or running, for any document or for the given one.
@@ -71,7 +71,7 @@ class RepairJobs : public QObject {
   };
   void startChange(Request request, Round round);
   void logChange(const MeshTab& document, const MeshChange& done, const QString& text, const QString& command);
-  void changeEnded();
+  void changeEnded(const DocumentTab* document);
   void dropChanges(const DocumentTab* document);
   void startRepair(MeshTab* document, Round round);
   void changed(const Request& request, const QString& text, const InspectedMesh& after, const ChangeEffects& effects);
@@ -103,8 +103,8 @@ class RepairJobs : public QObject {
   JobRunner& m_jobs;
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
-  std::multiset<const DocumentTab*> m_working;  // the document of each job
-  std::deque<Request> m_changes;                // the first request is running
+  std::multiset<const DocumentTab*> m_working;                  // the document of each job
+  std::map<const DocumentTab*, std::deque<Request>> m_changes;  // the first request of each document is running
 };
 
 }  // namespace handwheel

@@ -152,7 +152,6 @@ void Segmentation::setDocument(DocumentTab* document) {
 }
 
 void Segmentation::forget(DocumentTab* document) {
-  m_parts.jobs.cancelOf(&document->document);
   std::erase_if(m_waiting, [&](const Waiting& waiting) { return waiting.document == &document->document; });
 }
 
@@ -196,7 +195,7 @@ void Segmentation::count() {
   job.failed = [this, segment = volume().segment()](const Error& error) {
     if (error.code == ErrorCode::Cancelled || !m_document || !(volume().segment() == segment)) return;
     m_panel->setUncounted();
-    fail(tr("Counting parts"), errorSentence(error));
+    fail(volume(), tr("Counting parts"), errorSentence(error));
   };
   m_counting.start(std::move(job));
 }
@@ -269,30 +268,33 @@ void Segmentation::afterStroke(const Document& document, std::function<void()> c
 void Segmentation::change(const QString& name, const QString& text, const Change& how) {
   if (!m_document) return;
   endStroke();
-  Document* const document = &m_document->document;
+  startChange(&volume(), name, text, how);
+}
+
+// Another document may be in view by the end.
+void Segmentation::startChange(VolumeDocument* document, const QString& name, const QString& text, const Change& how) {
   Job job;
   job.name = name;
-  job.owner = document;
-  const Segment before = volume().segment();
-  const std::shared_ptr<const SegmentParts> known = m_counted == before ? m_figures.parts : nullptr;
+  job.document = document;
+  const Segment before = document->segment();
+  const bool isCurrent = m_document && &m_document->document == document;
+  const std::shared_ptr<const SegmentParts> known = isCurrent && m_counted == before ? m_figures.parts : nullptr;
   job.work = [this, document, name, text, how, before, known,
-              scan = volume().scan()](Progress progress) -> Job::Finish {
+              scan = document->scan()](Progress progress) -> Job::Finish {
     const std::shared_ptr<const SegmentParts> parts =
         known ? known : std::make_shared<const SegmentParts>(scan->image, before, progress.part(0.0, 0.5));
     if (progress.cancelled()) return {};
     const Changed changed = how(*scan, before, *parts, progress.part(0.5, 1.0));
     if (progress.cancelled()) return {};
     const auto finish = [this, document, name, text, how, before, changed] {
-      const bool isCurrent = m_document && &m_document->document == document;
-      auto& other = static_cast<VolumeDocument&>(*document);
-      if (!(other.segment() == before)) return isCurrent ? change(name, text, how) : void();
-      if (!changed.segment) return fail(text, changed.problem);
+      if (!(document->segment() == before)) return startChange(document, name, text, how);
+      if (!changed.segment) return fail(*document, text, changed.problem);
       document->commit(text, std::make_unique<SegmentEdit>(*changed.segment, before));
     };
     return [this, document, finish] { afterStroke(*document, finish); };
   };
-  job.failed = [this, text](const Error& error) {
-    if (error.code != ErrorCode::Cancelled) fail(text, errorSentence(error));
+  job.failed = [this, document, text](const Error& error) {
+    if (error.code != ErrorCode::Cancelled) fail(*document, text, errorSentence(error));
   };
   m_parts.jobs.start(std::move(job));
 }
@@ -331,10 +333,10 @@ void Segmentation::makeSurface() {
   VolumeDocument* const document = &volume();
   Job job;
   job.name = tr("Making the surface");
-  job.owner = &m_document->document;
+  job.document = document;
   const SegmentationPanel::Surface how = m_panel->surface();
-  const auto failed = [this](const Error& error) {
-    if (error.code != ErrorCode::Cancelled) fail(tr("The surface was not made"), errorSentence(error));
+  const auto failed = [this, document](const Error& error) {
+    if (error.code != ErrorCode::Cancelled) fail(*document, tr("The surface was not made"), errorSentence(error));
   };
   job.work = [this, document, how, failed, scan = document->scan(), segment = document->segment(),
               source = document->volume()->source,
@@ -354,9 +356,9 @@ void Segmentation::makeSurface() {
   m_parts.jobs.start(std::move(job));
 }
 
-void Segmentation::fail(const QString& what, const QString& why) {
+void Segmentation::fail(const Document& document, const QString& what, const QString& why) {
   Message notice{Message::Weight::Warning, what, why};
-  notice.about = m_document ? &m_document->document : nullptr;
+  notice.about = &document;
   emit message(notice);
 }
 

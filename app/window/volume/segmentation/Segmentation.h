@@ -66,11 +66,12 @@ class Segmentation : public QObject {
   void setGreys(const GreyWindow& greys);
   // Runs a change as a job, and repeats the job if the segment was changed during it.
   void change(const QString& name, const QString& text, const Change& how);
+  void startChange(VolumeDocument* document, const QString& name, const QString& text, const Change& how);
   void keepFirst(int parts);
   void grow(const Vec3& index);
   void askForSurface();
   void makeSurface();
-  void fail(const QString& what, const QString& why);
+  void fail(const Document& document, const QString& what, const QString& why);
 
   // An unfinished stroke of the brush.
   struct Stroke {

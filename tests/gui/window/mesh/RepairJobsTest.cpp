@@ -128,6 +128,48 @@ class RepairJobsTest : public QObject {
     QVERIFY(document->defectList.holes().empty());
   }
 
+  // A long change of one document neither delays those of another nor forbids them; a second one of its own waits.
+  void documentsAreChangedBesideEachOther() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(kJobThreads);
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    QSemaphore release;
+    QStringList begun;
+    QMutex mutex;
+    const auto openOne = [&] {
+      tabs.add(ui.open(test::meshDocument(test::cube())));
+      return static_cast<MeshTab*>(tabs.current());
+    };
+    MeshTab *const slow = openOne(), *const quick = openOne();
+    const auto change = [&](MeshTab* document, const char* name, bool isLong) {
+      jobs.change(document, {name, [&, name, isLong](HalfEdgeMesh& mesh, Progress) {
+                               {
+                                 const QMutexLocker lock(&mutex);
+                                 begun << QString::fromLatin1(name);
+                               }
+                               if (isLong) release.acquire();
+                               mesh.removeFace(0);
+                             }});
+    };
+    change(slow, "first", true);
+    change(slow, "second", false);
+    QVERIFY(!jobs.obstacle(slow).isEmpty());
+    QVERIFY(jobs.obstacle(quick).isEmpty());
+    change(quick, "instant", false);
+    QTRY_VERIFY_WITH_TIMEOUT(quick->document.isModified(), test::kPatienceMs);
+    QVERIFY(!slow->document.isModified() && jobs.isWorkingOn(slow));
+    release.release();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
+    QVERIFY(begun.indexOf("first") < begun.indexOf("second"));
+    QVERIFY(slow->document.isModified());
+    QCOMPARE(begun.count("instant"), 1);
+  }
+
   // Message, log and list have the same figures of a fix, and log and list those of a repair.
   void oneAccountOfAFix() {
     QThreadPool pool;
