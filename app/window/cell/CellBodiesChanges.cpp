@@ -21,6 +21,7 @@
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellBodies.h"
+#include "window/documents/DiscardedResult.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
@@ -283,16 +284,16 @@ void CellBodies::scale(BodyId id, double factor) {
   Job job;
   job.name = tr("Scaling %1").arg(QString::fromStdString(body->name));
   job.document = &tab.document;
-  job.work = [this, &tab, body, factor](Progress) -> Job::Finish {
+  job.work = [this, &tab, body, factor, name = job.name](Progress) -> Job::Finish {
     TriangleSoup soup = *body->geometry->surface();
     for (Vec3& point : soup.points) point *= factor;
     const double largest = factor * body->geometry->bounds().sizes().maxCoeff();
     const GeometryPointer scaled =
         isSoundSoup(soup) ? std::make_shared<const MeshGeometry>(std::move(soup)) : GeometryPointer();
-    return [this, &tab, body, scaled, largest] {
+    return [this, &tab, body, name, scaled, largest] {
       auto& document = static_cast<RobotCellDocument&>(tab.document);
       const BodyPointer now = document.bodies().withId(body->id);
-      if (!now || now->geometry != body->geometry) return;  // changed meanwhile
+      if (!now || now->geometry != body->geometry) return emit message(discardedResultMessage(name, document));
       if (!scaled) {
         const std::string most = shownText(MeshGeometry::kLargestCoordinate);
         return report(document, {ErrorCode::ValueOutOfRange, {body->name, shownText(largest), "0", most}, {}, {}});

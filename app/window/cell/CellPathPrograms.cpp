@@ -10,6 +10,7 @@
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/PathStatus.h"
+#include "window/documents/DiscardedResult.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
@@ -302,11 +303,12 @@ void CellPaths::importProgram(const QString& file) {
   job.name = tr("Opening %1").arg(QFileInfo(file).fileName());
   job.document = &tab.document;
   job.failed = [this, &tab](const Error& error) { report(&tab, error); };
-  job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
+  job.work = [this, &tab, scene, name = job.name,
+              content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               file](Progress progress) -> Job::Finish {
     Result<ProgramPath> read = pathFromFile(*scene, *content, QFile::encodeName(file).toStdString(), progress);
-    return [this, &tab, content, file, read = std::move(read)]() mutable {
-      if (content->robot.get() != &cellIn(tab).robot()) return;
+    return [this, &tab, content, file, name, read = std::move(read)]() mutable {
+      if (content->robot.get() != &cellIn(tab).robot()) return emit message(discardedResultMessage(name, tab.document));
       if (!read) return report(&tab, read.error());
       CellPlans changed = *cellIn(tab).plans();
       const QStringList remarks = programRemarks(*read, content->plans->tool);

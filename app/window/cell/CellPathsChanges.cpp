@@ -16,6 +16,7 @@
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/CellRobots.h"
+#include "window/documents/DiscardedResult.h"
 #include "window/documents/DocumentTab.h"
 
 #include <QFile>
@@ -364,13 +365,13 @@ void CellPaths::readSemantics(const QString& file) {
     report(&tab, error);
   };
   job.work = [this, &tab, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()), arm, file,
-              title, robot, failed = job.failed](Progress progress) -> Job::Finish {
+              title, robot, name = job.name, failed = job.failed](Progress progress) -> Job::Finish {
     const Result<std::string> bytes = readFileHead(QFile::encodeName(file).toStdString(), kLargestSrdf + 1);
     const CellRobot& all = *content->robot;
     Result<RobotSemantics> read =
         bytes ? readSrdf(*bytes, all.model, all.arms, arm, progress) : Result<RobotSemantics>(bytes.error());
-    return [this, &tab, content, title, robot, failed, read = std::move(read)] {
-      if (content->robot.get() != &cellIn(tab).robot()) return;
+    return [this, &tab, content, title, robot, name, failed, read = std::move(read)] {
+      if (content->robot.get() != &cellIn(tab).robot()) return emit message(discardedResultMessage(name, tab.document));
       if (!read) return failed(read.error());
       Result<CellPlans> changed = withSemantics(*cellIn(tab).plans(), *read, *content);
       if (!changed) return failed(changed.error());

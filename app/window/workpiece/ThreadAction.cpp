@@ -6,8 +6,10 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/exercise/AssignedTask.h"
 #include "machining/TurningFidelity.h"
+#include "panels/MessageBar.h"
 #include "window/ActionToolTip.h"
 #include "window/OfferedAction.h"
+#include "window/documents/DiscardedResult.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -40,21 +42,22 @@ void ThreadAction::ask() {
   dialog->open();
 }
 
-// If the part was cut in the meantime, the thread is not cut, and the user asks again.
+// If the part was cut in the meantime, the thread is not cut, and the user is told so.
 void ThreadAction::cut(DocumentTab* document, const TurningPass& pass) {
   const auto& owner = static_cast<const WorkpieceDocument&>(document->document);
   Job job;
   job.name = tr("Cutting the thread");
   job.document = &document->document;
-  job.work = [this, document, pass, value = owner.workpiece(),
+  job.work = [this, document, pass, name = job.name, value = owner.workpiece(),
               spacing = m_parts.fidelity.values().of(turnSpacingSetting())](Progress progress) -> Job::Finish {
     auto part = withPass(value, pass, spacing, progress);
-    return [this, document, value, part] {
+    return [this, document, name, value, part] {
       if (!part || !m_parts.tabs.contains(document)) return;
       auto& now = static_cast<WorkpieceDocument&>(document->document);
       const WorkpieceSnapshot& work = now.workpiece();
       const bool isSame = work.part == value.part && work.stock == value.stock && work.chord == value.chord;
-      if (isSame) now.commit(tr("Thread"), std::make_unique<TurnedPartEdit>(part));
+      if (!isSame) return emit message(discardedResultMessage(name, now));
+      now.commit(tr("Thread"), std::make_unique<TurnedPartEdit>(part));
     };
   };
   m_parts.jobs.start(std::move(job));

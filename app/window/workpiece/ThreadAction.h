@@ -22,6 +22,9 @@ class ThreadAction : public QObject {
   void setDocument(DocumentTab* document);
   QAction* action() { return &m_cut; }
 
+ signals:
+  void message(const handwheel::Message& message);
+
  private:
   void ask();
   // Cuts the thread in a job, as one undo step.

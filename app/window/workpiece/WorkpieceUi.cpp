@@ -85,6 +85,7 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
       m_sections(JobRunner::Policy::Latest, window.pool) {
   layer().setFaintGroup(kPartedGroup);
   connect(&m_target, &TargetActions::message, this, &KindUi::message);
+  connect(&m_thread, &ThreadAction::message, this, &KindUi::message);
   connect(&m_target, &TargetActions::shownChanged, this, [this] {
     if (this->document()) show();
   });

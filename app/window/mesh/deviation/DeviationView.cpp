@@ -13,6 +13,7 @@
 #include "window/ActionToolTip.h"
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
+#include "window/documents/DiscardedResult.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
@@ -143,6 +144,8 @@ void DeviationView::take(MeshTab* document, std::shared_ptr<MeshDeviation> found
                                 : QString();
     m_parts.log.add(tr("Compared %1: largest distance %2 mm").arg(document->document.name(), largest), command);
     document->deviation = std::move(found);
+  } else {
+    emit message(discardedResultMessage(tr("Comparing %1").arg(document->document.name()), document->document));
   }
   if (document == m_document) refresh();
 }

@@ -14,6 +14,7 @@
 #include "tools/mesh/repair/RemainingDefects.h"
 #include "tools/mesh/repair/RepairChanges.h"
 #include "window/CommandLines.h"
+#include "window/documents/DiscardedResult.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/EquivalentCommand.h"
@@ -66,18 +67,19 @@ void RepairJobs::startFill(MeshTab* document, Vertex key, PreparedFill prepared,
   if (!prepared.cache) prepared.cache = std::make_shared<HoleFillerCache>(document->document.mesh());
   Job job;
   job.name = tr("Filling hole %1").arg(document->defectList.loopNumber(loopId));
-  job.work = [this, document, key, revision, round, options, nearWeld = nearWeld(), prepared = std::move(prepared),
+  job.work = [this, document, key, revision, round, options, name = job.name, nearWeld = nearWeld(),
+              prepared = std::move(prepared),
               loop = document->defectList.loop(loopId)](Progress progress) -> Job::Finish {
     HoleFiller* filler = prepared.cache->filler(progress.part(0.0, 0.3));
     if (!filler) return {};
     const FillAttempt attempt = fillHole(*filler, loop, options, prepared.attempt, progress.part(0.3, 0.6));
     InspectedMesh after;
     if (attempt.failure == FillFailure::None) after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
-    return [this, document, key, revision, round, options, cache = prepared.cache, attempt, after] {
+    return [this, document, key, revision, round, options, name, cache = prepared.cache, attempt, after] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision))
         return filledOne(document, key, cache, {attempt, options, fillStep(key, options)}, after);
-      reportStale(*document, round);
+      reportStale(*document, name, round);
       if (round == Round::First) startFill(document, key, {nullptr, std::nullopt, options}, Round::Second);
     };
   };
@@ -159,7 +161,7 @@ void RepairJobs::startChange(Request request, Round round) {
         changed(request, text, after, effects);
         return changeEnded(request.document);
       }
-      reportStale(*request.document, round);
+      reportStale(*request.document, text, round);
       if (round == Round::First) return startChange({request.document, request.wanted, {}}, Round::Second);
       changeEnded(request.document);
     };
@@ -250,7 +252,7 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
   Job job;
   job.name = tr("Repairing %1").arg(document->document.name());
   const bool isSearched = document->defectList.selfIntersections().has_value();
-  job.work = [this, document, revision, round, options, settings, isSearched,
+  job.work = [this, document, revision, round, options, settings, isSearched, name = job.name,
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     const auto report = std::make_shared<RepairReport>();
@@ -262,12 +264,12 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
     if (report->cancelled || progress.cancelled()) return {};
     const InspectedMesh after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 0.98));
     const RemainingDefects left = remainingDefects(after, *report, progress.part(0.98, 1.0));
-    return [this, document, revision, round, options, settings, step = wanted.step, report, pairs = std::move(pairs),
-            after, left] {
+    return [this, document, revision, round, options, settings, name, step = wanted.step, report,
+            pairs = std::move(pairs), after, left] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision))
         return repairedAll(document, after, {*report, options, settings, step, pairs, left});
-      reportStale(*document, round);
+      reportStale(*document, name, round);
       if (round == Round::First) startRepair(document, Round::Second);
     };
   };
@@ -315,11 +317,12 @@ bool RepairJobs::isStale(MeshTab* document, std::uint64_t revision) const {
   return document->document.revision() != revision;
 }
 
-void RepairJobs::reportStale(const MeshTab& document, Round round) {
+void RepairJobs::reportStale(const MeshTab& document, const QString& job, Round round) {
   const QString name = document.document.name();
   m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs again").arg(name)
                                   : tr("%1 was changed again; the result was discarded").arg(name),
             {}, LogEntry::Weight::Warning);
+  if (round == Round::Second) emit message(discardedResultMessage(job, document.document));
 }
 
 void RepairJobs::start(const DocumentTab* document, Job job) {

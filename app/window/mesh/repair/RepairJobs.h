@@ -94,7 +94,7 @@ class RepairJobs : public QObject {
   };
   void repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done);
   void reportCrossings(const MeshTab& document, const IntersectionsChange& crossings);
-  void reportStale(const MeshTab& document, Round round);
+  void reportStale(const MeshTab& document, const QString& job, Round round);
   void start(const DocumentTab* document, Job job);
   void reportFailure(const DocumentTab* document, const QString& job, const Error& error);
   void ended(const DocumentTab* document);

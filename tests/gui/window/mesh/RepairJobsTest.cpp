@@ -170,6 +170,41 @@ class RepairJobsTest : public QObject {
     QCOMPARE(begun.count("instant"), 1);
   }
 
+  // A change that comes too late is made once more; if it comes too late again, the user hears of it.
+  void aLateResultIsReported() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    QList<Message> messages;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { messages << message; });
+    tabs.add(ui.open(test::meshDocument(test::cube())));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    QSemaphore begun, release;
+    jobs.change(document, {"Dent", [&](HalfEdgeMesh& mesh, Progress) {
+                             begun.release();
+                             release.acquire();
+                             mesh.removeFace(0);
+                           }});
+    for (const Face face : {Face(1), Face(2)}) {
+      QVERIFY(begun.tryAcquire(1, test::kPatienceMs));
+      HalfEdgeMesh cut = document->document.mesh();
+      cut.removeFace(face);
+      QVERIFY(document->document.commit("cut", inspected(std::move(cut))));
+      QVERIFY(messages.isEmpty());
+      release.release();
+      QTRY_VERIFY_WITH_TIMEOUT(begun.available() > 0 || runner.isIdle(), test::kPatienceMs);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
+    QCOMPARE(document->document.mesh().liveFaceCount(), std::size_t{10});
+    QCOMPARE(messages.size(), 1);
+    QVERIFY2(messages[0].title.contains("Dent"), qPrintable(messages[0].title));
+    QVERIFY2(messages[0].detail.contains("changed meanwhile"), qPrintable(messages[0].detail));
+  }
+
   // Message, log and list have the same figures of a fix, and log and list those of a repair.
   void oneAccountOfAFix() {
     QThreadPool pool;

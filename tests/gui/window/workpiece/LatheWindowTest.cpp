@@ -391,7 +391,7 @@ class LatheWindowTest : public QObject {
     QCOMPARE(line->timeOf(1), 0.0);
   }
 
-  // A thread that is being cut is of the bar as it was.
+  // A thread that is being cut is of the bar as it was, and the window says that it is not cut into another one.
   void aThreadOfAnOlderBar() {
     LatheWindow window(kSmallWindow);
     window.driver.choose("newWorkpiece");
@@ -404,6 +404,11 @@ class LatheWindowTest : public QObject {
       QVERIFY(window.driver.settle());
       QCOMPARE(window.workpiece().part == nullptr, isChanged);
       QCOMPARE(window.workpiece().stock.diameter, narrower);
+      QCOMPARE(window.driver.find<QWidget>("messageBar")->isVisible(), isChanged);
+      if (!isChanged) continue;
+      const QString said = window.driver.text("messageText");
+      QVERIFY2(said.contains("thread") && said.contains("changed meanwhile"), qPrintable(said));
+      window.driver.click("messageClose");
     }
   }
 
