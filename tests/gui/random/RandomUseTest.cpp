@@ -3,6 +3,7 @@
 #include "../window/WindowTestMain.h"
 #include "RandomUser.h"
 #include "builtin/BuiltInKinds.h"
+#include "window/JobRunner.h"
 #include "window/MainWindow.h"
 
 #include <QDeadlineTimer>
@@ -67,6 +68,7 @@ class RandomUseTest : public QObject {
   void round(std::uint32_t seed, int seconds, HangWatch& watch) {
     const BuiltInKinds kinds(builtInKinds());
     QThreadPool workers;
+    workers.setMaxThreadCount(kJobThreads);
     useWindow(workers, kinds.set, seed, seconds, watch);
     if (QTest::currentTestFailed()) return;
     // The window has cancelled its remaining work.
@@ -76,10 +78,10 @@ class RandomUseTest : public QObject {
 
   void useWindow(QThreadPool& workers, const KindSet& kinds, std::uint32_t seed, int seconds, HangWatch& watch) {
     MainWindow window(workers, kinds);
-    window.resize(1280, 800);
+    window.resize(900, 620);  // little is to be drawn, so that there is time for more actions
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    RandomUser user(window, seed);
+    RandomUser user(window, kinds.documents, seed);
     const QDeadlineTimer end(1000LL * seconds);
     while (!end.hasExpired() && user.problems().isEmpty()) {
       user.act();

@@ -3,12 +3,14 @@
 #include "RandomUser.h"
 
 #include "../window/StlFiles.h"
+#include "MeshShapes.h"
 #include "controls/CommandPalette.h"
-#include "document/Container.h"
 #include "document/DocumentKind.h"
 #include "viewport/Viewport.h"
+#include "volume/image/NrrdWriter.h"
 #include "window/MainWindow.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/Samples.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -19,7 +21,6 @@
 #include <QMessageBox>
 #include <QtTest>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace handwheel::test {
 
@@ -62,47 +63,26 @@ std::vector<Widget*> visible(const QWidget& in) {
   return found;
 }
 
-std::string contentOf(const DocumentTab& open) {
-  DocumentFile file;
-  file.id = "random";
-  file.displayUnit = open.document.displayUnit();
-  const auto bytes =
-      containerBytes(open.document.kind(), file, *open.document.snapshot(), {}, Compression::None, Progress());
-  return bytes ? *bytes : std::string();
-}
-
-// Returns the difference of two containers. Proofs of paths are knowledge of a state, not a part of it: no undo takes
-// them back.
-QString difference(const std::string& before, const std::string& after) {
-  const auto first = readContainer(before), second = readContainer(after);
-  if (!first || !second) return QStringLiteral("not read");
-  constexpr const char* kProofs = "cell/proofs.json";
-  QStringList all;
-  for (const auto& each : nlohmann::json::diff(*first->container.manifest, *second->container.manifest))
-    all << QString::fromStdString(each.dump()).left(200);
-  for (const auto& [name, bytes] : first->container.blobs) {
-    if (name == kProofs) continue;
-    const auto found = second->container.blobs.find(name);
-    if (found == second->container.blobs.end())
-      all << QStringLiteral("without %1").arg(QString::fromStdString(name));
-    else if (found->second != bytes)
-      all << QStringLiteral("another %1").arg(QString::fromStdString(name));
+// Returns a scan of two balls, one within reach of a threshold and one of noise.
+std::string scan() {
+  constexpr int kSide = 24;
+  const ImageGrid grid{{kSide, kSide, kSide}, Vec3::Zero(), 0.5 * Eigen::Matrix3d::Identity()};
+  std::vector<std::int16_t> samples;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) {
+    const Vec3 at(i % kSide, i / kSide % kSide, i / kSide / kSide);
+    const double depth = std::max(5.0 - (at - Vec3(8, 8, 8)).norm(), 4.0 - (at - Vec3(17, 16, 15)).norm());
+    samples.push_back(static_cast<std::int16_t>(std::clamp(200.0 * depth, -1000.0, 1000.0) + i % 7));
   }
-  for (const auto& [name, bytes] : second->container.blobs)
-    if (name != kProofs && !first->container.blobs.contains(name))
-      all << QStringLiteral("with %1").arg(QString::fromStdString(name));
-  return all.join(QStringLiteral(", "));
+  return nrrdOf(ImageVolume(grid, std::move(samples)));
 }
 
 }  // namespace
 
-RandomUser::RandomUser(MainWindow& window, std::uint32_t seed)
-    : m_window(window), m_tabs(*window.findChild<DocumentTabs*>()), m_random(seed) {
+RandomUser::RandomUser(MainWindow& window, const DocumentKinds& kinds, std::uint32_t seed)
+    : m_window(window), m_kinds(kinds), m_tabs(*window.findChild<DocumentTabs*>()), m_random(seed) {
   makeFiles();
   m_window.findChild<QAction*>(QStringLiteral("quit"))->setEnabled(false);
-  connect(&m_tabs, &DocumentTabs::added, this, [this](DocumentTab* open) {
-    m_opened[open] = {contentOf(*open), open->document.history()->index()};
-  });
+  connect(&m_tabs, &DocumentTabs::added, this, [this](DocumentTab* open) { keepOpened(*open); });
   connect(&m_tabs, &DocumentTabs::closing, this, &RandomUser::watchClosing);
   // A button with a menu waits within its press until something is chosen there, or the menu is closed.
   connect(&m_menus, &QTimer::timeout, this, [this] {
@@ -125,6 +105,17 @@ void RandomUser::makeFiles() {
   if (!broken.open(QIODevice::WriteOnly) || broken.write("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 n") < 0)
     qFatal("no room for test files");
   m_files << m_folder.filePath(QStringLiteral("missing.stl"));
+  for (const char* sample : {"robot-cell.handwheel", "shaft-stock.handwheel", "robot-arm.urdf",
+                             "thread-m20.exercise.json", "first-lesson.exercise.json"})
+    m_files << samplePath(QString::fromLatin1(sample));
+  m_files << m_folder.filePath(QStringLiteral("scan.nrrd"));
+  QFile image(m_files.last());
+  if (!image.open(QIODevice::WriteOnly) || image.write(QByteArray::fromStdString(scan())) < 0)
+    qFatal("no room for test files");
+  m_files << m_folder.filePath(QStringLiteral("volume.handwheel"));
+  const DocumentKind& volume = *m_kinds.withId("volume");
+  const auto made = volume.ofSurface(cube(20.0), {}, Progress());
+  if (!made || !saveDocument(volume, {}, **made, m_files.last().toStdString())) qFatal("no volume");
 }
 
 void RandomUser::note(const QString& what) {
@@ -156,7 +147,8 @@ void RandomUser::act() {
       &RandomUser::pressKey,       &RandomUser::pressKey,       &RandomUser::strokeInView, &RandomUser::strokeInView,
       &RandomUser::strokeInView,   &RandomUser::clickButton,    &RandomUser::clickButton,  &RandomUser::clickRow,
       &RandomUser::clickRow,       &RandomUser::runCommand,     &RandomUser::runCommand,   &RandomUser::editField,
-      &RandomUser::switchDocument, &RandomUser::switchDocument, &RandomUser::cancelJob,    &RandomUser::searchCommand};
+      &RandomUser::switchDocument, &RandomUser::switchDocument, &RandomUser::cancelJob,    &RandomUser::searchCommand,
+      &RandomUser::runAction,      &RandomUser::runAction};
   // The choice there may be the command that closes.
   if (const auto* palette = m_window.findChild<CommandPalette*>(); palette && palette->isVisible()) m_mayClose = true;
   m_menus.start(50);
@@ -166,6 +158,7 @@ void RandomUser::act() {
   if (oneIn(40)) {
     note(QStringLiteral("waits for the jobs"));
     (void)QTest::qWaitFor([this] { return m_window.isSettled() || QApplication::activeModalWidget(); }, 20'000);
+    if (m_window.isSettled() && !QApplication::activeModalWidget() && !QApplication::activePopupWidget()) check();
   }
   // A command to close may wait for a prompt or a save; it has ended when all is quiet.
   if (m_mayClose && m_window.isSettled() && !QApplication::activeModalWidget()) m_mayClose = m_mayDiscard = false;
@@ -179,13 +172,23 @@ bool RandomUser::answerDialogs() {
   } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
     answer(*dialog);
   } else if (auto* other = qobject_cast<QDialog*>(modal)) {
-    note(QStringLiteral("closes the dialog %1").arg(other->objectName()));
-    other->reject();
+    answer(*other);
   }
   return true;
 }
 
+// Any values that may be entered, some of them by hand. A value that the dialog refuses keeps it open.
+void RandomUser::answer(QDialog& dialog) {
+  const auto fields = visible<QLineEdit>(dialog);
+  if (!fields.empty() && oneIn(3))
+    return enter(*fields[static_cast<std::size_t>(upTo(static_cast<int>(fields.size())))]);
+  const bool isAccepted = oneIn(2);
+  note(QStringLiteral("%1 the dialog %2").arg(isAccepted ? "accepts" : "closes", dialog.objectName()));
+  isAccepted ? dialog.accept() : dialog.reject();
+}
+
 void RandomUser::answer(QMessageBox& prompt) {
+  if (prompt.objectName() == QLatin1String("memoryQuestion")) return prompt.reject();  // there is not that much
   const auto buttons = prompt.buttons();
   QAbstractButton* button = buttons[upTo(static_cast<int>(buttons.size()))];
   note(QStringLiteral("answers: %1").arg(button->text()));
@@ -212,6 +215,7 @@ void RandomUser::answer(QFileDialog& dialog) {
   });
   asked.start(20);
   QMetaObject::invokeMethod(&dialog, "accept");
+  if (saves && !m_files.contains(file)) m_files << file;  // to be opened again
 }
 
 void RandomUser::openFile() {
@@ -349,10 +353,29 @@ void RandomUser::runCommand() {
   action->trigger();
 }
 
+// Any command, also those that are in no menu.
+void RandomUser::runAction() {
+  QList<QAction*> actions;
+  for (QAction* action : m_window.findChildren<QAction*>())
+    if (action->isEnabled() && !action->menu() && !action->isSeparator() && !action->objectName().isEmpty())
+      actions << action;
+  if (actions.isEmpty() || QApplication::activePopupWidget()) return;
+  QAction* action = actions[upTo(static_cast<int>(actions.size()))];
+  const QString name = action->objectName();
+  const bool opens = name.startsWith(QLatin1String("open")) || name.startsWith(QLatin1String("new"));
+  if (opens && static_cast<int>(m_tabs.all().size()) >= kMostDocuments) return;
+  note(QStringLiteral("action %1").arg(name));
+  if (name == QLatin1String("closeDocument")) m_mayClose = true;
+  action->trigger();
+}
+
 void RandomUser::editField() {
   const auto fields = visible<QLineEdit>(m_window);
-  if (fields.empty()) return;
-  QLineEdit* field = fields[static_cast<std::size_t>(upTo(static_cast<int>(fields.size())))];
+  if (!fields.empty()) enter(*fields[static_cast<std::size_t>(upTo(static_cast<int>(fields.size())))]);
+}
+
+void RandomUser::enter(QLineEdit& line) {
+  QLineEdit* const field = &line;
   if (field->isReadOnly()) return;
   static const QStringList kTexts{"0", "1", "-3", "1e9", "25.4/2", "0.01", "nonsense", "", "1e-300", "7 mm"};
   const QString text = kTexts[upTo(static_cast<int>(kTexts.size()))];
@@ -389,26 +412,6 @@ void RandomUser::searchCommand() {
   m_mayClose = true;  // the command found may be the one that closes
   QTest::keyClicks(query, text);
   QTest::keyClick(query, oneIn(2) ? Qt::Key_Return : Qt::Key_Escape);
-}
-
-void RandomUser::undoEverything(const std::function<void()>& alive) {
-  for (int round = 0; round < 100 && answerDialogs(); ++round) QTest::qWait(20);
-  while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
-  const auto isSettled = [&] {
-    alive();
-    return m_window.isSettled();
-  };
-  (void)QTest::qWaitFor(isSettled, 120'000);
-  for (const auto& open : m_tabs.all()) {
-    m_tabs.setCurrent(open.get());
-    open->document.history()->setIndex(m_opened.at(open.get()).index);
-    const std::string now = contentOf(*open);
-    const QString changed =
-        now == m_opened.at(open.get()).bytes ? QString() : difference(m_opened.at(open.get()).bytes, now);
-    if (!changed.isEmpty())
-      m_problems
-          << QStringLiteral("%1 is not what it was, after all was undone: %2").arg(open->document.name(), changed);
-  }
 }
 
 }  // namespace handwheel::test

@@ -14,10 +14,13 @@
 #include <random>
 
 class QAbstractButton;
+class QDialog;
 class QFileDialog;
+class QLineEdit;
 class QMessageBox;
 
 namespace handwheel {
+class DocumentKinds;
 class DocumentTabs;
 class MainWindow;
 }  // namespace handwheel
@@ -33,7 +36,7 @@ class RandomUser : public QObject {
 
  public:
   // Creates files to open in a folder of its own, where the user also saves.
-  RandomUser(MainWindow& window, std::uint32_t seed);
+  RandomUser(MainWindow& window, const DocumentKinds& kinds, std::uint32_t seed);
 
   // Does one random action, and waits for its effects for some milliseconds. The action is written to the standard
   // output before it is done, so that the last lines show the cause of a crash.
@@ -57,6 +60,7 @@ class RandomUser : public QObject {
   QWidget* target() const;  // the receiver of keys
 
   bool answerDialogs();
+  void answer(QDialog& dialog);
   void answer(QMessageBox& prompt);
   void answer(QFileDialog& dialog);
   void openFile();
@@ -65,13 +69,20 @@ class RandomUser : public QObject {
   void clickButton();
   void clickRow();
   void runCommand();
+  void runAction();
   void editField();
+  void enter(QLineEdit& line);
   void switchDocument();
   void cancelJob();
   void searchCommand();
   void watchClosing(DocumentTab* document);
+  void keepOpened(const DocumentTab& open);
+  void check();
+  void checkFile(const DocumentTab& saved, const std::string& now);
+  void report(const DocumentTab& of, const QString& when, const std::string& wanted, const std::string& is);
 
   MainWindow& m_window;
+  const DocumentKinds& m_kinds;
   DocumentTabs& m_tabs;
   std::mt19937 m_random;
   QTimer m_menus;  // runs during an action, and answers the menus that the action waits for
