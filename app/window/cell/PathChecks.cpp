@@ -39,31 +39,29 @@ PathChecks::PathChecks(const WindowContext& parts, CellCollisions& collisions, Q
 }
 
 PathChecks::~PathChecks() {
-  m_parts.jobs.cancelOf(this);
-  m_parts.jobs.cancelOf(&m_results);
+  setDocument(nullptr);
+  for (const auto& each : std::exchange(m_elsewhere, {})) m_parts.jobs.cancelOf(each.first);
 }
 
+// The jobs of a document have it as their owner. A verification that nobody asked for is of no use out of view.
 void PathChecks::setDocument(DocumentTab* document) {
-  if (m_run && m_run->isAsked) {
-    m_asked = m_run->basis.path.name;
-  } else if (m_isAllAsked && m_run) {
-    m_waiting.push_front(m_run->basis.path.name);
-  }
-  if (m_isAllAsked || m_asked) m_interrupted[m_document] = {std::exchange(m_asked, {}), m_waiting, m_isAllAsked};
+  const bool goesOn = m_run && (m_run->isAsked || m_run->isOfAll);
+  if (goesOn || m_isAllAsked) m_elsewhere[m_document] = {goesOn ? m_run : std::nullopt, {}, m_waiting, m_isAllAsked};
   m_run.reset();
   m_waiting.clear();
   m_isAllAsked = false;
-  m_parts.jobs.cancelOf(this);
+  if (m_document && !goesOn) m_parts.jobs.cancelOf(m_document);
   m_parts.jobs.cancelOf(&m_results);
   m_digests.reset();
   disconnect(m_changes);
   m_document = document;
   if (!document) return;
   m_changes = connect(&document->document, &Document::changed, this, &PathChecks::storeThoseThatHold);
-  if (auto rest = m_interrupted.extract(document)) {
-    m_asked = std::move(rest.mapped().asked);  // goOn() as soon as the cell is prepared
-    m_waiting = std::move(rest.mapped().waiting);
-    m_isAllAsked = rest.mapped().isAll;
+  if (auto known = m_elsewhere.extract(document)) {
+    m_run = std::move(known.mapped().run);
+    m_waiting = std::move(known.mapped().waiting);  // goOn() as soon as the cell is prepared
+    m_isAllAsked = known.mapped().isAll;
+    if (const auto& ended = known.mapped().verified; ended && holds(*ended)) emit verified(*ended);
   }
   recall();
 }
@@ -127,6 +125,12 @@ BasisChange PathChecks::changeOf(const PathResult& result, const RobotCellSnapsh
   return result.changedBefore != BasisChange::Nothing ? result.changedBefore : changeSince(result.basis, now, path);
 }
 
+bool PathChecks::holds(const PathResult& result) const {
+  const auto now = content();
+  const RobotPath* const path = now->plans->path(result.basis.path.name);
+  return path && changeOf(result, *now, *path) == BasisChange::Nothing;
+}
+
 bool PathChecks::isRunning(const RobotPath& path, const RobotCellSnapshot& now) const {
   return m_run && m_run->basis.path.name == path.name && changeSince(m_run->basis, now, path) == BasisChange::Nothing;
 }
@@ -165,63 +169,87 @@ void PathChecks::verify(const RobotPath& path, Request request) {
   // A running verification of a waiting path gives precedence to the requested one; so does the last of all, which is
   // not finished.
   if (m_run && (m_isAllAsked || !m_waiting.empty())) m_waiting.push_back(m_run->basis.path.name);
-  m_parts.jobs.cancelOf(this);
+  m_parts.jobs.cancelOf(m_document);
   const std::uint64_t run = ++m_runs;
   m_run = Run{basisOf(*now, path), request == Request::Again, request == Request::OfAll, run};
   Job job;
   job.name = tr("Verifying %1").arg(QString::fromStdString(path.name));
   job.document = &m_document->document;
-  job.owner = this;
+  job.owner = m_document;
   job.lane = Job::Lane::Looking;
   job.isUnasked = request == Request::Known;
-  job.failed = [this, run](const Error&) {
-    if (!m_run || m_run->number != run) return;
-    m_run.reset();
-    m_waiting.clear();
-    m_isAllAsked = false;
-    if (m_document) emit changed();
-  };
-  job.work = [this, run, scene, path, settings, now, former = m_digests](Progress progress) -> Job::Finish {
+  job.failed = [this, document = m_document, run](const Error&) { fail(document, run); };
+  job.work = [this, document = m_document, run, scene, path, settings, now,
+              former = m_digests](Progress progress) -> Job::Finish {
     // With its tool.
     const Result<CellPlans> plans = withArmChosen(*now->robot, *now->plans, scene->plannedArm().name);
     Outcome outcome{plans ? checkPath(*scene, *plans, path, settings, progress) : Result<CheckedPath>(plans.error()),
                     scene, nullptr};
     outcome.digests = std::make_shared<const PathDigests>(now, former.get());
-    return [this, run, outcome = std::move(outcome)] { take(run, outcome); };
+    return [this, document, run, outcome = std::move(outcome)] { take(document, run, outcome); };
   };
   m_parts.jobs.start(std::move(job));
   emit changed();
 }
 
-void PathChecks::take(std::uint64_t run, const Outcome& outcome) {
-  if (!m_document || !m_run || m_run->number != run) return;
-  const Run done = std::move(*m_run);
+std::optional<PathChecks::Run>* PathChecks::runOf(const DocumentTab* document, std::uint64_t number) {
+  const auto elsewhere = m_elsewhere.find(document);
+  auto* const found = document == m_document           ? &m_run
+                      : elsewhere != m_elsewhere.end() ? &elsewhere->second.run
+                                                       : nullptr;
+  return found && *found && (*found)->number == number ? found : nullptr;
+}
+
+// The others that are waiting are not begun either.
+void PathChecks::fail(DocumentTab* document, std::uint64_t run) {
+  if (!runOf(document, run)) return;
+  m_elsewhere.erase(document);
+  if (document != m_document) return;
   m_run.reset();
+  m_waiting.clear();
+  m_isAllAsked = false;
+  if (m_document) emit changed();
+}
+
+void PathChecks::take(DocumentTab* document, std::uint64_t run, const Outcome& outcome) {
+  std::optional<Run>* const present = runOf(document, run);
+  if (!present) return;
+  const Run done = std::move(**present);
+  present->reset();
+  const PathResult result = added(document, done, outcome);
+  if (document != m_document) {
+    if (done.isAsked) m_elsewhere[document].verified = result;
+    return;
+  }
   m_digests = outcome.digests;
+  emit changed();
+  if (done.isAsked) emit verified(result);
+  goOn();
+}
+
+PathResult PathChecks::added(DocumentTab* document, const Run& done, const Outcome& outcome) {
   PathResult result{.basis = done.basis,
                     .found = {},
                     .checked = nullptr,
                     .at = QDateTime::currentDateTime(),
-                    .digests = m_digests->of(done.basis.path)};
+                    .digests = outcome.digests->of(done.basis.path)};
   if (outcome.checked) {
     result.checked = std::make_shared<const CheckedPath>(*outcome.checked);
     result.found = findingsOf(*outcome.checked, *outcome.scene, done.basis.clearance);
   } else {
     result.problem = errorSentence(outcome.checked.error());
   }
-  std::vector<PathResult>& known = m_results[m_document][done.basis.path.name];
+  std::vector<PathResult>& known = m_results[document][done.basis.path.name];
   std::erase_if(known, [&](const PathResult& each) { return each.digests == result.digests; });
   if (known.size() == kMostResults) known.erase(known.begin());
   known.push_back(result);
-  store(result, done.isAsked || done.isOfAll);
-  emit changed();
-  if (done.isAsked) emit verified(result);
-  goOn();
+  store(document->document, result, done.isAsked || done.isOfAll);
+  return result;
 }
 
 // With the document. Only one that a person asked for, and that says something new, is a change that is to be saved.
-void PathChecks::store(const PathResult& result, bool isAsked) {
-  auto& cell = static_cast<RobotCellDocument&>(m_document->document);
+void PathChecks::store(Document& document, const PathResult& result, bool isAsked) {
+  auto& cell = static_cast<RobotCellDocument&>(document);
   const std::string& name = result.basis.path.name;
   PathProofs proofs = cell.proofs();
   const auto known = proofs.find(name);
@@ -282,9 +310,6 @@ std::shared_ptr<const CellScene> PathChecks::sceneFor(const RobotPath& path, con
 void PathChecks::goOn() {
   if (!m_document || !m_collisions.isReady()) return;
   const auto now = content();
-  if (const auto asked = std::exchange(m_asked, {})) {
-    if (const RobotPath* const path = now->plans->path(*asked)) verify(*path, Request::Again);
-  }
   while (!m_run && !m_waiting.empty()) {
     const RobotPath* const path = now->plans->path(m_waiting.front());
     m_waiting.pop_front();

@@ -54,7 +54,7 @@ class PathChecks : public QObject {
   void forget(const DocumentTab* document) {
     m_results.erase(document);
     m_recalled.erase(document);
-    m_interrupted.erase(document);
+    m_elsewhere.erase(document);
   }
 
   // Begins to verify a path, unless its result is known. A running verification of another path, or of another state of
@@ -82,9 +82,11 @@ class PathChecks : public QObject {
     bool isOfAll = false;
     std::uint64_t number = 0;
   };
-  // The remaining verifications of a document that is not in view. They continue when the document is shown again.
-  struct Interrupted {
-    std::optional<std::string> asked;  // Name of the path
+  // The verifications of a document that is not in view. A running one goes on, if it was asked for; the others
+  // continue when the document is shown again.
+  struct Elsewhere {
+    std::optional<Run> run;
+    std::optional<PathResult> verified;  // the result of a run that ended meanwhile, to be reported
     std::deque<std::string> waiting;
     bool isAll = false;
   };
@@ -100,10 +102,15 @@ class PathChecks : public QObject {
   static BasisChange changeOf(const PathResult& result, const RobotCellSnapshot& now, const RobotPath& path);
   const PathResult* resultOf(const RobotPath& path, const RobotCellSnapshot& now) const;
   bool isRunning(const RobotPath& path, const RobotCellSnapshot& now) const;
+  bool holds(const PathResult& result) const;  // returns true if the result is valid for the present cell
   void recall();
   void goOn();
-  void take(std::uint64_t run, const Outcome& outcome);
-  void store(const PathResult& result, bool isAsked);
+  void fail(DocumentTab* document, std::uint64_t run);
+  void take(DocumentTab* document, std::uint64_t run, const Outcome& outcome);
+  PathResult added(DocumentTab* document, const Run& done, const Outcome& outcome);
+  static void store(Document& document, const PathResult& result, bool isAsked);
+  // Returns the run of this number, in view or elsewhere; null: it has been given up.
+  std::optional<Run>* runOf(const DocumentTab* document, std::uint64_t number);
   void storeThoseThatHold();
 
   WindowContext m_parts;
@@ -114,11 +121,10 @@ class PathChecks : public QObject {
   std::map<const DocumentTab*, Results> m_results;
   std::set<const DocumentTab*> m_recalled;  // Documents whose stored results have all been recalled
   std::optional<Run> m_run;
-  std::uint64_t m_runs = 0;            // Number of runs begun
-  std::deque<std::string> m_waiting;   // Names of the paths that are to be verified next
-  bool m_isAllAsked = false;           // True from verifyAll() until all paths are verified
-  std::optional<std::string> m_asked;  // The path that the user asked for before another document came into view
-  std::map<const DocumentTab*, Interrupted> m_interrupted;
+  std::uint64_t m_runs = 0;           // Number of runs begun
+  std::deque<std::string> m_waiting;  // Names of the paths that are to be verified next
+  bool m_isAllAsked = false;          // True from verifyAll() until all paths are verified
+  std::map<const DocumentTab*, Elsewhere> m_elsewhere;
   std::shared_ptr<const PathDigests> m_digests;  // The last digests of the document
 };
 

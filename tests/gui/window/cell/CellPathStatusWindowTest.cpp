@@ -350,6 +350,26 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(driver.becomes(0, "free"));
   }
 
+  // A verification that was asked for goes on while another document is in view, and is reported when its own is again.
+  void goesOnBehindAnotherDocument() {
+    m_window.end();
+    TwoPaths driver;
+    driver.tree()->setCurrentItem(driver.paths()->child(1));
+    QVERIFY(driver.becomes(1, "free"));
+    driver.hold();
+    driver.choose("verifyPath");
+    driver.choose("newWorkpiece");
+    driver.release();
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.says("free of collisions"));
+    driver.hold();  // nothing can be verified now
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.says("free of collisions"));
+    driver.release();
+    QVERIFY(driver.settle());
+    QVERIFY(driver.remark(1).contains("free"));
+  }
+
   // The selected path is in the view again when its document is.
   void drawnAfterAnotherDocument() {
     m_window.end();
