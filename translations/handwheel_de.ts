@@ -294,6 +294,21 @@
     </message>
 </context>
 <context>
+    <name>DiscardedResult</name>
+    <message>
+        <source>“%1” has changed nothing</source>
+        <translation>„%1“ hat nichts geändert</translation>
+    </message>
+    <message>
+        <source>%1 was changed meanwhile, and the result was for its state before.</source>
+        <translation>%1 wurde inzwischen geändert, und das Ergebnis galt für den Stand davor.</translation>
+    </message>
+    <message>
+        <source>Start it again if it is still wanted.</source>
+        <translation>Starten Sie es erneut, falls es noch gewünscht ist.</translation>
+    </message>
+</context>
+<context>
     <name>DocumentKind</name>
     <message>
         <source>Mesh</source>
@@ -13757,10 +13772,6 @@
         <translation>%1 im zuletzt gesicherten Stand wiederhergestellt</translation>
     </message>
     <message>
-        <source>Opening %1 was cancelled</source>
-        <translation>Öffnen von %1 abgebrochen</translation>
-    </message>
-    <message>
         <source>%1 could not be opened</source>
         <translation>%1 konnte nicht geöffnet werden</translation>
     </message>
@@ -14168,6 +14179,10 @@
     <message>
         <source>for %1</source>
         <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
@@ -15052,6 +15067,14 @@
     <message>
         <source>As in the file</source>
         <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>“%1” was cancelled</source>
+        <translation>„%1“ wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1 is as it was.</source>
+        <translation>%1 ist unverändert.</translation>
     </message>
 </context>
 <context>
@@ -16917,8 +16940,8 @@
         <translation>Zuerst ein Netz öffnen.</translation>
     </message>
     <message>
-        <source>A mesh is being changed.</source>
-        <translation>Ein Netz wird gerade geändert.</translation>
+        <source>The mesh is being changed.</source>
+        <translation>Das Netz wird gerade geändert.</translation>
     </message>
 </context>
 <context>

@@ -294,6 +294,21 @@
     </message>
 </context>
 <context>
+    <name>DiscardedResult</name>
+    <message>
+        <source>“%1” has changed nothing</source>
+        <translation>“%1”没有改变任何内容</translation>
+    </message>
+    <message>
+        <source>%1 was changed meanwhile, and the result was for its state before.</source>
+        <translation>%1 在此期间已被更改，而结果针对的是之前的状态。</translation>
+    </message>
+    <message>
+        <source>Start it again if it is still wanted.</source>
+        <translation>如仍需要，请重新开始。</translation>
+    </message>
+</context>
+<context>
     <name>DocumentKind</name>
     <message>
         <source>Mesh</source>
@@ -13668,10 +13683,6 @@
         <translation>已将 %1 恢复到最近一次自动保存的状态</translation>
     </message>
     <message>
-        <source>Opening %1 was cancelled</source>
-        <translation>已取消打开 %1</translation>
-    </message>
-    <message>
         <source>%1 could not be opened</source>
         <translation>无法打开 %1</translation>
     </message>
@@ -14072,6 +14083,10 @@
     <message>
         <source>for %1</source>
         <translation>已用 %1</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
     </message>
 </context>
 <context>
@@ -14956,6 +14971,14 @@
     <message>
         <source>As in the file</source>
         <translation>文件中的状态</translation>
+    </message>
+    <message>
+        <source>“%1” was cancelled</source>
+        <translation>“%1”已取消</translation>
+    </message>
+    <message>
+        <source>%1 is as it was.</source>
+        <translation>%1 保持不变。</translation>
     </message>
 </context>
 <context>
@@ -16804,7 +16827,7 @@
         <translation>请先打开一个网格。</translation>
     </message>
     <message>
-        <source>A mesh is being changed.</source>
+        <source>The mesh is being changed.</source>
         <translation>正在更改网格。</translation>
     </message>
 </context>
