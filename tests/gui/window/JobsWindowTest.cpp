@@ -162,6 +162,22 @@ class JobsWindowTest : public QObject {
     QCOMPARE(kept->document.displayUnit(), LengthUnit::Inch);
   }
 
+  // Whoever cancels something that was asked for reads that it is cancelled, also if no document has it.
+  void aCancelledOpeningIsReported() {
+    WindowDriver driver;
+    const QString path = m_folder.filePath("opened.stl");
+    writeStl(path, quadTorus(12, 8, {}));
+    driver.hold();
+    driver.window().openPaths({path});
+    driver.click("jobCancel");
+    QTRY_VERIFY(driver.find<QWidget>("messageBar")->isVisible());
+    const QString said = driver.text("messageText");
+    QVERIFY2(said.contains("opened.stl") && said.contains("cancelled"), qPrintable(said));
+    driver.release();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 0);
+  }
+
   // A second click must not reduce what the first is reducing.
   void aReductionIsNotStartedTwice() {
     WindowDriver driver;
