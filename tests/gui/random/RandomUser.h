@@ -51,6 +51,7 @@ class RandomUser : public QObject {
   struct Opened {
     std::string bytes;  // bytes of its container
     int index = 0;      // index in its history when it was opened: 1 if opening reversed faces
+    QString step = {};  // text of the step before that index; it is gone when another one took its place after an undo
   };
 
   int upTo(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
@@ -79,6 +80,8 @@ class RandomUser : public QObject {
   void keepOpened(const DocumentTab& open);
   void check();
   void checkFile(const DocumentTab& saved, const std::string& now);
+  // Returns false if the history does not lead to the opened state any more.
+  bool goToOpened(const DocumentTab& of) const;
   void report(const DocumentTab& of, const QString& when, const std::string& wanted, const std::string& is);
 
   MainWindow& m_window;
