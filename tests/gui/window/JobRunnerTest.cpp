@@ -5,12 +5,17 @@
 #include "TestClass.h"
 #include "window/JobRunner.h"
 
+#include <QScopeGuard>
 #include <QSemaphore>
 #include <QThreadPool>
 #include <QtTest>
 #include <new>
 
 using namespace handwheel;
+
+namespace {
+constexpr int kAll = 100;  // more than any test has jobs
+}  // namespace
 
 class JobRunnerTest : public QObject {
   Q_OBJECT
@@ -177,11 +182,12 @@ class JobRunnerTest : public QObject {
 
   // A document's jobs run one after another; those of others, and what only looks at it, do not wait for them.
   void documentsDoNotWaitForEachOther() {
+    QSemaphore release;
     QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(kAll); });  // also if the test fails
     pool.setMaxThreadCount(kJobThreads);
     JobRunner runner(JobRunner::Policy::Queue, pool);
     const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
-    QSemaphore release;
     QStringList done;
     const auto add = [&](const char* name, const Document* document, Job::Lane lane, bool isLong = false) {
       Job job;
@@ -211,11 +217,12 @@ class JobRunnerTest : public QObject {
 
   // Two documents that are saved as the same file.
   void whatUsesTheSameFileRunsInOrder() {
+    QSemaphore release;
     QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(kAll); });  // also if the test fails
     pool.setMaxThreadCount(kJobThreads);
     JobRunner runner(JobRunner::Policy::Queue, pool);
     const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
-    QSemaphore release;
     QStringList done;
     const auto save = [&](const Document* document, const char* path, bool isLong) {
       Job job;
@@ -239,9 +246,10 @@ class JobRunnerTest : public QObject {
 
   // Neither long jobs nor those of libraries that cannot be interrupted keep a thread from an instant job.
   void abandonedJobsKeepNoThread() {
-    QThreadPool pool;
-    pool.setMaxThreadCount(1);
     QSemaphore release;
+    QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(kAll); });  // also if the test fails
+    pool.setMaxThreadCount(1);
     JobRunner runner(JobRunner::Policy::Queue, pool);
     std::atomic<int> stuck{0};
     for (int i = 1; i <= 5; ++i) {
@@ -274,11 +282,12 @@ class JobRunnerTest : public QObject {
 
   // The user takes back what was asked for last in this document, and hears of it.
   void theLatestOfADocumentIsCancelled() {
+    QSemaphore release;
     QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(kAll); });  // also if the test fails
     pool.setMaxThreadCount(kJobThreads);
     JobRunner runner(JobRunner::Policy::Queue, pool);
     const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
-    QSemaphore release;
     QStringList done, failed, said;
     connect(&runner, &JobRunner::cancelled, this, [&](const JobStatus& job, const Document* document) {
       said << job.name;
@@ -321,12 +330,13 @@ class JobRunnerTest : public QObject {
 
   // A file that is being written is written, and a copy that is being made is made.
   void aClosedDocumentTakesItsOwnJobsAlong() {
+    QSemaphore release;
     QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(kAll); });  // also if the test fails
     pool.setMaxThreadCount(kJobThreads);
     JobRunner runner(JobRunner::Policy::Queue, pool);
     auto a = test::meshDocument(test::cube());
     const auto b = test::meshDocument(test::cube());
-    QSemaphore release;
     QStringList done, failed;
     int said = 0;
     connect(&runner, &JobRunner::cancelled, this, [&] { ++said; });
@@ -383,11 +393,12 @@ class JobRunnerTest : public QObject {
 
   // A request of one document does not drop that of another.
   void theLatestReplacesThoseOfItsDocument() {
+    QSemaphore release;
     QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(kAll); });  // also if the test fails
     pool.setMaxThreadCount(kJobThreads);
     JobRunner runner(JobRunner::Policy::Latest, pool);
     const auto a = test::meshDocument(test::cube()), b = test::meshDocument(test::cube());
-    QSemaphore release;
     QStringList done;
     const auto add = [&](const char* name, const Document* document) {
       Job job;

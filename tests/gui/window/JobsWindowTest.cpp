@@ -95,8 +95,9 @@ class JobsWindowTest : public QObject {
 
   // The document in the other tab works on.
   void escapeLeavesTheJobsOfOtherDocuments() {
-    WindowDriver driver;
     QSemaphore release;
+    WindowDriver driver;
+    const auto atEnd = qScopeGuard([&] { release.release(2); });  // also if the test fails
     openHalfRepaired(driver, "first.stl");
     DocumentTab* const first = driver.find<DocumentTabs>("tabRow")->current();
     openHalfRepaired(driver, "second.stl");
@@ -127,9 +128,10 @@ class JobsWindowTest : public QObject {
 
   // Minutes of work in one tab are no matter to the others.
   void anInstantChangeDoesNotWaitForAnotherDocument() {
-    WindowDriver driver;
-    driver.useAllThreads();
     QSemaphore release;
+    WindowDriver driver;
+    const auto atEnd = qScopeGuard([&] { release.release(2); });  // also if the test fails
+    driver.useAllThreads();
     openHalfRepaired(driver, "slow.stl");
     DocumentTab* const slow = driver.find<DocumentTabs>("tabRow")->current();
     openHalfRepaired(driver, "quick.stl");
@@ -145,8 +147,9 @@ class JobsWindowTest : public QObject {
   }
 
   void closingADocumentLeavesTheJobsOfOthers() {
-    WindowDriver driver;
     QSemaphore release;
+    WindowDriver driver;
+    const auto atEnd = qScopeGuard([&] { release.release(2); });  // also if the test fails
     openHalfRepaired(driver, "kept.stl");
     auto* const tabs = driver.find<DocumentTabs>("tabRow");
     DocumentTab* const kept = tabs->current();

@@ -130,7 +130,9 @@ class RepairJobsTest : public QObject {
 
   // A long change of one document neither delays those of another nor forbids them; a second one of its own waits.
   void documentsAreChangedBesideEachOther() {
+    QSemaphore release;
     QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(2); });  // also if the test fails
     pool.setMaxThreadCount(kJobThreads);
     JobRunner runner(JobRunner::Policy::Queue, pool);
     DocumentTabs tabs;
@@ -138,7 +140,6 @@ class RepairJobsTest : public QObject {
     FidelityChoice fidelity;
     HiddenUi ui;
     RepairJobs jobs(tabs, runner, log, fidelity);
-    QSemaphore release;
     QStringList begun;
     QMutex mutex;
     const auto openOne = [&] {
@@ -172,7 +173,9 @@ class RepairJobsTest : public QObject {
 
   // A change that comes too late is made once more; if it comes too late again, the user hears of it.
   void aLateResultIsReported() {
+    QSemaphore begun, release;
     QThreadPool pool;
+    const auto atEnd = qScopeGuard([&] { release.release(2); });  // also if the test fails
     JobRunner runner(JobRunner::Policy::Queue, pool);
     DocumentTabs tabs;
     LogModel log;
@@ -183,7 +186,6 @@ class RepairJobsTest : public QObject {
     connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { messages << message; });
     tabs.add(ui.open(test::meshDocument(test::cube())));
     auto* document = static_cast<MeshTab*>(tabs.current());
-    QSemaphore begun, release;
     jobs.change(document, {"Dent", [&](HalfEdgeMesh& mesh, Progress) {
                              begun.release();
                              release.acquire();
