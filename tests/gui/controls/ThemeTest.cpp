@@ -3,8 +3,10 @@
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTest>
@@ -77,6 +79,24 @@ class ThemeTest : public QObject {
     return picture(*fresh);
   }
 
+  // Returns the open list of a combo box in a parent, as the screen would show it.
+  static QImage listOfChoices(QWidget& parent) {
+    auto* combo = new QComboBox(&parent);
+    combo->addItems({"one", "two", "three"});
+    combo->resize(120, 32);
+    parent.resize(200, 100);
+    parent.show();
+    if (!QTest::qWaitForWindowExposed(&parent)) qFatal("not shown");
+    combo->showPopup();
+    QWidget* const list = combo->view()->window();
+    if (!QTest::qWaitForWindowExposed(list)) qFatal("not shown");
+    QImage picture(list->size(), QImage::Format_ARGB32_Premultiplied);
+    picture.fill(Qt::black);  // a window without anything in it
+    list->render(&picture, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+    combo->hidePopup();
+    return picture;
+  }
+
  private slots:
   void cleanup() { applyTheme(*qApp, ThemeKind::Light); }
 
@@ -98,6 +118,26 @@ class ThemeTest : public QObject {
     applyTheme(*qApp, ThemeKind::Light);  // the first of the two had not finished the hidden ones
     QTest::qWait(50);
     QCOMPARE(picture(*window), light);
+  }
+
+  void listsOfChoicesAreOpaqueAndAlike_data() {
+    QTest::addColumn<bool>("isDark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+  }
+  void listsOfChoicesAreOpaqueAndAlike() {
+    QFETCH(bool, isDark);
+    const ThemeKind kind = isDark ? ThemeKind::Dark : ThemeKind::Light;
+    applyTheme(*qApp, kind);
+    QWidget window;
+    QDialog dialog;
+    const ThemeColours& colours = themeColours(kind);
+    for (const QImage& list : {listOfChoices(window), listOfChoices(dialog)}) {
+      const int right = list.width() - 1, bottom = list.height() - 1;
+      QCOMPARE(list.pixelColor(right - 3, bottom - 3), colours.raised);
+      for (const QPoint corner : {QPoint(0, 0), QPoint(right, 0), QPoint(0, bottom), QPoint(right, bottom)})
+        QCOMPARE(list.pixelColor(corner), colours.border);
+    }
   }
 
   void whatIsHiddenFollows_data() {
