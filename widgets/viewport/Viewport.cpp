@@ -126,7 +126,7 @@ void Viewport::setCovered(int pixels) {
 void Viewport::flyTo(const Box& box, const Vec3& outward) {
   if (box.isEmpty()) return;
   CameraState from = d->goal();
-  from.orientation = turnedTowards(from.orientation, outward);
+  from.orientation = turnedTowards(from.orientation, outward, d->viewFrame * Vec3::UnitZ());
   CameraState goal = CameraNavigation(from, d->size()).fitted(cornersOf(box), kFlyToShare, d->covered);
   const Box whole = d->scene.bounds();
   if (!whole.isEmpty()) goal.height = std::max(goal.height, kNearestFlight * whole.diagonal().norm());

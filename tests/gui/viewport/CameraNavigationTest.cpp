@@ -292,15 +292,38 @@ class CameraNavigationTest : public QObject {
   }
 
   void turnedTowardsLooksAgainstTheDirection() {
-    QVERIFY(rc::check([] {
+    const Vec3 up = Vec3::UnitZ();
+    QVERIFY(rc::check([&] {
       const CameraState c = cameraNavigationAnyCamera();
       const Vec3 outward = cameraNavigationAnyPoint() + Vec3(0.01, 0.02, 0.03);
-      const Vec3 z = turnedTowards(c.orientation, outward) * Vec3::UnitZ();
-      RC_ASSERT((z - outward.normalized()).norm() < 1e-6);
+      const Eigen::Matrix3d axes = turnedTowards(c.orientation, outward, up).toRotationMatrix();
+      RC_ASSERT((axes.col(2) - outward.normalized()).norm() < 1e-6);
+      RC_ASSERT((axes.col(0).cross(axes.col(1)) - axes.col(2)).norm() < 1e-9);
     }));
-    const Vec3 opposite = turnedTowards(Eigen::Quaterniond::Identity(), -Vec3::UnitZ()) * Vec3::UnitZ();
-    QVERIFY((opposite + Vec3::UnitZ()).norm() < 1e-9);
-    QVERIFY(turnedTowards(Eigen::Quaterniond::Identity(), Vec3::Zero()).isApprox(Eigen::Quaterniond::Identity()));
+    const Vec3 opposite = turnedTowards(Eigen::Quaterniond::Identity(), -up, up) * Vec3::UnitZ();
+    QVERIFY((opposite + up).norm() < 1e-9);
+    QVERIFY(turnedTowards(Eigen::Quaterniond::Identity(), Vec3::Zero(), up).isApprox(Eigen::Quaterniond::Identity()));
+  }
+
+  // A view that is level stays level, and one that the user has rolled stays rolled by the same angle.
+  void turnedTowardsKeepsTheHorizon() {
+    QVERIFY(rc::check([] {
+      const auto direction = [] {
+        const double around = *rc::gen::inRange(0, 360) * kRadiansPerDegree;
+        const double height = *rc::gen::inRange(-80, 81) * kRadiansPerDegree;
+        return Vec3(std::cos(around) * std::cos(height), std::sin(around) * std::cos(height), std::sin(height));
+      };
+      const double roll = *rc::gen::element(0, 0, 10, -35, 120, 180) * kRadiansPerDegree;
+      const Vec3 from = direction(), to = direction(), up = Vec3::UnitZ();
+      const Eigen::Quaterniond present = Eigen::AngleAxisd(roll, from) * uprightTowards(from);
+      const Eigen::Quaterniond expected = Eigen::AngleAxisd(roll, to) * uprightTowards(to);
+      RC_ASSERT(turnedTowards(present, to, up).angularDistance(expected) < 1e-6);
+      // By way of a view from above, from where any side may be at the right.
+      const Eigen::Quaterniond level = uprightTowards(from);
+      const Eigen::Quaterniond above = turnedTowards(level, Vec3(0.01, -0.02, 1), up);
+      RC_ASSERT((above * Vec3::UnitX()).dot(level * Vec3::UnitX()) > 0.99);
+      RC_ASSERT(turnedTowards(above, to, up).angularDistance(uprightTowards(to)) < 1e-6);
+    }));
   }
 
   void flightBeginsAndEndsWhereItShould() {

@@ -27,6 +27,19 @@ Eigen::Quaterniond looking(const Vec3& towardsViewer, const Vec3& up) {
   return Eigen::Quaterniond(axes);
 }
 
+// From straight above or below there is no horizon, and none is missed this near to it.
+bool isAlong(const Vec3& outward, const Vec3& up) {
+  constexpr double kNearlyAlong = 0.087;  // sine of 5 degrees
+  return up.cross(outward).norm() < kNearlyAlong;
+}
+
+// Returns the unit vector to the right in a level view against outward, a unit vector. From above or below, it is the
+// one nearest to another direction, which is not parallel to outward.
+Vec3 levelRight(const Vec3& outward, const Vec3& up, const Vec3& nearest) {
+  if (!isAlong(outward, up)) return up.cross(outward).normalized();
+  return (nearest - nearest.dot(outward) * outward).normalized();
+}
+
 }  // namespace
 
 CameraNavigation::CameraNavigation(const CameraState& camera, const Vec2& size)
@@ -194,13 +207,16 @@ Eigen::Quaterniond uprightTowards(const Vec3& outward) {
   return looking(z, z.z() > 0 ? Vec3::UnitY() : Vec3(-Vec3::UnitY()));
 }
 
-Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& outward) {
+Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& outward, const Vec3& up) {
   if (!(outward.squaredNorm() > 0) || !outward.allFinite()) return present;
-  const Vec3 from = present * Vec3::UnitZ();
+  const Vec3 from = present * Vec3::UnitZ(), right = present * Vec3::UnitX();
   const Vec3 to = outward.normalized();
-  // To the opposite side every rotation is equally short: turn about the upright of the screen.
-  if (from.dot(to) < -0.9999) return Eigen::AngleAxisd(std::numbers::pi, present * Vec3::UnitY()) * present;
-  return (Eigen::Quaterniond::FromTwoVectors(from, to) * present).normalized();
+  const Vec3 level = levelRight(from, up, right);
+  const double roll = isAlong(from, up) ? 0.0 : std::atan2(level.cross(right).dot(from), level.dot(right));
+  const Vec3 x = Eigen::AngleAxisd(roll, to) * levelRight(to, up, level);
+  Eigen::Matrix3d axes;
+  axes << x, to.cross(x), to;
+  return Eigen::Quaterniond(axes).normalized();
 }
 
 CameraState turnedAbout(const CameraState& camera, const Vec3& pivot, const Eigen::Quaterniond& orientation) {

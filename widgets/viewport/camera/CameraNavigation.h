@@ -80,8 +80,11 @@ Eigen::Quaterniond latheFrame();
 // the standard view. outward: not necessarily of unit length; zero, or a vector that is not finite, gives the isometric
 // view.
 Eigen::Quaterniond uprightTowards(const Vec3& outward);
-// Returns the orientation that looks against outward, by the shortest rotation from the present one.
-Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& outward);
+// Returns the orientation that looks against outward, with the horizon as in the present one: level if it is level,
+// and rolled as much if the user has rolled it. From above or below, where there is no horizon, the right side of the
+// present view stays at the right. up: unit vector to the top of the standard views. outward: as for uprightTowards(),
+// but zero gives the present orientation.
+Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& outward, const Vec3& up);
 // Rotates the camera to an orientation about pivot, which keeps its screen position.
 CameraState turnedAbout(const CameraState& camera, const Vec3& pivot, const Eigen::Quaterniond& orientation);
 // Interpolates between the cameras a (t = 0) and b (t = 1).
