@@ -9,16 +9,14 @@
 #include "window/mesh/MeshTab.h"
 
 #include <QSettings>
-#include <QTimer>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
 namespace {
 
 const auto kPreviewKey = QStringLiteral("showPreview");
-// The patch is shown for a moment before the camera leaves for the next hole.
-constexpr int kLookMs = 450;
 
 void prepare(QAction& action, const char* name, const char* iconName, const QList<QKeySequence>& keys,
              const QString& tip) {
@@ -96,12 +94,17 @@ void RepairActions::connectActions() {
     follow();
   });
   connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
-  connect(&m_selection, &LoopSelection::changed, this, &RepairActions::follow);
+  connect(&m_selection, &LoopSelection::changed, this, [this] {
+    // Another hole that is chosen while this one is being filled stays chosen.
+    const int filling = m_document ? m_document->defectList.loopWithKey(m_filling) : -1;
+    if (filling >= 0 && m_selection.loop() != filling) m_filling = kNone;
+    follow();
+  });
   connect(&m_jobs, &RepairJobs::filled, this,
           [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& cache) {
             if (document != m_document) return;
             m_preview.returnCache(document, cache);
-            goOnAfter(document, key);
+            if (std::exchange(m_filling, kNone) == key) m_selection.select(-1);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
 }
@@ -112,6 +115,7 @@ QList<QAction*> RepairActions::all() {
 
 void RepairActions::setDocument(MeshTab* document) {
   if (m_document) disconnect(&m_document->document, &Document::changed, this, &RepairActions::followUndo);
+  if (document != m_document) m_filling = m_filled = kNone;
   m_document = document;
   if (document) connect(&document->document, &Document::changed, this, &RepairActions::followUndo);
   follow();
@@ -173,7 +177,8 @@ void RepairActions::followPreview() {
 void RepairActions::fillSelected() {
   MeshTab* document = m_document;
   const int loop = m_selection.loop();
-  m_jobs.fill(document, loop, m_preview.take(document->defectList.keyOf(loop)));
+  m_filling = m_filled = document->defectList.keyOf(loop);
+  m_jobs.fill(document, loop, m_preview.take(m_filling));
 }
 
 void RepairActions::toggleKeepOpen() {
@@ -183,36 +188,24 @@ void RepairActions::toggleKeepOpen() {
   follow();
 }
 
-// Goes round among the holes, in the order of the list.
+// Goes round among the holes, in the order of the list: from the selected one, or else from the one filled last. Loops
+// are numbered in the order of their keys.
 void RepairActions::step(int direction) {
-  const std::vector<int>& holes = m_document->defectList.holes();
+  const DefectList& defectList = m_document->defectList;
+  const std::vector<int>& holes = defectList.holes();
   if (holes.empty()) return;
-  const int count = static_cast<int>(holes.size());
-  const auto at = std::lower_bound(holes.begin(), holes.end(), m_selection.loop());
+  const int count = static_cast<int>(holes.size()), selected = m_selection.loop();
+  const bool isFromFilled = selected < 0 && m_filled != kNone;
+  const auto at =
+      isFromFilled ? std::find_if(holes.begin(), holes.end(), [&](int id) { return defectList.keyOf(id) > m_filled; })
+                   : std::lower_bound(holes.begin(), holes.end(), selected);
   int index = static_cast<int>(at - holes.begin());
-  const bool onHole = at != holes.end() && *at == m_selection.loop();
+  const bool onHole = at != holes.end() && *at == selected;
   if (direction > 0 && onHole) ++index;
   if (direction < 0) --index;
   const int loop = holes[static_cast<std::size_t>((index + count) % count)];
   m_selection.select(loop);
   emit showLoopRequested(loop);
-}
-
-// Goes on to the hole after the one just filled, unless the user has chosen another meanwhile. The tool may have gone
-// there already; the camera follows a moment later.
-void RepairActions::goOnAfter(MeshTab* document, Vertex key) {
-  const DefectList& defectList = document->defectList;
-  const std::vector<int>& holes = defectList.holes();
-  if (holes.empty()) return;
-  // Loops are numbered in the order of their keys.
-  const auto after = std::find_if(holes.begin(), holes.end(), [&](int id) { return defectList.keyOf(id) > key; });
-  const int nextLoop = after != holes.end() ? *after : holes.front();
-  if (m_selection.loop() < 0) m_selection.select(nextLoop);
-  if (m_selection.loop() != nextLoop) return;
-  QTimer::singleShot(kLookMs, this, [this, document, next = defectList.keyOf(nextLoop)] {
-    if (m_document != document || document->selected != next || m_selection.loop() < 0) return;
-    emit showLoopRequested(m_selection.loop());
-  });
 }
 
 }  // namespace handwheel

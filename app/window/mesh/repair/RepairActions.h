@@ -50,9 +50,12 @@ class RepairActions : public QObject {
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);
-  void goOnAfter(MeshTab* document, Vertex key);
 
   MeshTab* m_document = nullptr;
+  // Key of the hole that is being filled; none if another one was chosen meanwhile. When it is filled, no hole is
+  // selected, and the camera stays with the new patch until the user goes on.
+  Vertex m_filling = kNone;
+  Vertex m_filled = kNone;  // key of the hole filled last, from which the user goes on
   LoopSelection& m_selection;
   RepairJobs& m_jobs;
   HolePreview& m_preview;
