@@ -15,7 +15,6 @@ struct BuiltInDevicesWords {
   Q_DECLARE_TR_FUNCTIONS(HapticSession)
 };
 
-constexpr const char* kMouse = "mouse";
 constexpr const char* kTurnedAddress = "turned-hand";  // address of the simulated device with motors for torque
 
 }  // namespace
@@ -23,11 +22,11 @@ constexpr const char* kTurnedAddress = "turned-hand";  // address of the simulat
 std::vector<DeviceInfo> builtInDevices() {
   return {{kSimulatedDriver, kSimulatedAddress, BuiltInDevicesWords::tr("Simulated hand").toStdString()},
           {kSimulatedDriver, kTurnedAddress, BuiltInDevicesWords::tr("Simulated hand with torque").toStdString()},
-          {kMouse, "pointer", BuiltInDevicesWords::tr("Mouse as device").toStdString()}};
+          {kMouseDriver, "pointer", BuiltInDevicesWords::tr("Mouse as device").toStdString()}};
 }
 
 std::unique_ptr<Device> makeBuiltIn(const DeviceInfo& listing, ServoClock& clock) {
-  if (listing.driver == kMouse) return std::make_unique<MouseDevice>();
+  if (listing.driver == kMouseDriver) return std::make_unique<MouseDevice>();
   if (listing.driver != kSimulatedDriver) return nullptr;
   const bool hasTorque = listing.address == kTurnedAddress;
   return std::make_unique<SimulatedDevice>(hasTorque ? simulatedTorqueDevice() : simulatedDevice(), PoseTrajectory(),

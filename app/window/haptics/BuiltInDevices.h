@@ -10,6 +10,8 @@ namespace handwheel {
 // Driver id and address of the simulated device, which is moved by scripts.
 inline constexpr const char* kSimulatedDriver = "simulated";
 inline constexpr const char* kSimulatedAddress = "hand";
+// Driver id of the mouse as device.
+inline constexpr const char* kMouseDriver = "mouse";
 
 // Returns the devices that need no hardware. The window creates these devices itself, because it controls their motion.
 // Their names are translated.

@@ -101,8 +101,10 @@ void HapticSession::choose(const std::string& driver, const std::string& address
     return listing.driver == driver && listing.address == address;
   });
   m_chosen = known != all.end() ? *known : DeviceInfo{driver, address, driver};
-  QSettings().setValue(kDriverKey, QString::fromStdString(driver));
-  QSettings().setValue(kAddressKey, QString::fromStdString(address));
+  if (driver != kMouseDriver) {  // at the next start the mouse is a mouse
+    QSettings().setValue(kDriverKey, QString::fromStdString(driver));
+    QSettings().setValue(kAddressKey, QString::fromStdString(address));
+  }
   startOpening(false);
 }
 
@@ -119,7 +121,7 @@ void HapticSession::close() {
 
 void HapticSession::takeUp() {
   const std::string driver = QSettings().value(kDriverKey).toString().toStdString();
-  if (driver.empty() || !m_chosen.driver.empty()) return;
+  if (driver.empty() || driver == kMouseDriver || !m_chosen.driver.empty()) return;
   m_chosen = {driver, QSettings().value(kAddressKey).toString().toStdString(), driver};
   for (const DeviceInfo& listing : found()) {
     if (listing.driver == driver && listing.address == m_chosen.address) m_chosen = listing;

@@ -49,7 +49,8 @@ class HapticSession : public QObject {
   // Opens a device in a job. It replaces the previous device.
   void choose(const std::string& driver, const std::string& address);
   void close();
-  // Opens the device that was in use when the program ended. Shows no message if the device is not connected.
+  // Opens the device that was in use when the program ended, unless it was the mouse, which would not move the view any
+  // more. Shows no message if the device is not connected.
   void takeUp();
   bool isOpen() const { return m_open != nullptr; }
   DeviceInfo chosen() const {

@@ -133,6 +133,24 @@ class HapticWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(fixture.session.measure()->periods().binSeconds(), 0.001 / 64.0, kPatienceMs);
   }
 
+  // After a restart the mouse turns the view again, even if an older program has stored it as device.
+  void theMouseAsDeviceEndsWithTheProgram() {
+    for (const bool isStored : {false, true}) {
+      {
+        HandFixture fixture;
+        fixture.session.choose("mouse", "pointer");
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.session.mouse(), kPatienceMs);
+      }
+      if (isStored) QSettings().setValue("haptics/driver", "mouse");
+      if (isStored) QSettings().setValue("haptics/address", "pointer");
+      HandFixture fixture;
+      fixture.session.takeUp();
+      QVERIFY(fixture.session.chosen().driver.empty());
+      QVERIFY(fixture.driver.settle());
+      QVERIFY(!fixture.session.isOpen());
+    }
+  }
+
   // The tip of the mouse lies on the surface; turned away from the user, the wheel pushes it in and the surface pushes
   // back, while the camera stays. With Ctrl the wheel is the camera's.
   void theMouseAsADevice() {
