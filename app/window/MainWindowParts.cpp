@@ -141,7 +141,6 @@ void MainWindow::buildDocks() {
   connect(m_spaceMouse, &SpaceMouseNavigation::changed, device,
           [this, device] { device->setSpaceMice(m_spaceMouse->names()); });
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
-  m_deviceDock->installEventFilter(m_tools);  // keys that the knobs of the simulated hand do not take go to the tool
   tabifyDockWidget(m_viewDock, m_deviceDock);
   m_deviceDock->hide();
   m_kindDock->raise();
@@ -149,6 +148,7 @@ void MainWindow::buildDocks() {
   status->setSource([this] { return m_services.status(); });
   m_statusDock = addDock(*this, Qt::BottomDockWidgetArea, "statusDock", tr("Status"), status, "status");
   m_logDock = addDock(*this, Qt::BottomDockWidgetArea, "logDock", tr("Log"), new LogPanel(&m_log, this), "log");
+  for (QDockWidget* dock : docks()) dock->installEventFilter(m_tools);  // one that floats is a window of its own
   connect(m_kindDock, &QDockWidget::visibilityChanged, this, &MainWindow::updateCard);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

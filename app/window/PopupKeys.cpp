@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/PopupKeys.h"
 
+#include "controls/ContextAction.h"
+
 #include <QApplication>
-#include <QEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
 
 namespace handwheel {
 
@@ -12,13 +15,21 @@ PopupKeys::PopupKeys(QObject* parent) : QObject(parent) {
 }
 
 bool PopupKeys::eventFilter(QObject* watched, QEvent* event) {
-  if (m_isDelivering || event->type() != QEvent::ShortcutOverride || !QApplication::activePopupWidget())
+  if (m_isDelivering || event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(watched, event);
+  if (QApplication::activePopupWidget()) return keepForPopup(*watched, *event);
+  const auto* const line = qobject_cast<const QLineEdit*>(watched);
+  if (!line || !line->isModified() || !isEndingKey(QKeySequence(static_cast<QKeyEvent*>(event)->key())))
     return QObject::eventFilter(watched, event);
-  // The list of a combo box takes Return here, but does not accept it.
-  m_isDelivering = true;
-  QCoreApplication::sendEvent(watched, event);
-  m_isDelivering = false;
   event->accept();
+  return true;
+}
+
+// The list of a combo box takes Return here, but does not accept it.
+bool PopupKeys::keepForPopup(QObject& watched, QEvent& event) {
+  m_isDelivering = true;
+  QCoreApplication::sendEvent(&watched, &event);
+  m_isDelivering = false;
+  event.accept();
   return true;
 }
 

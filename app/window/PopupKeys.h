@@ -6,9 +6,9 @@
 
 namespace handwheel {
 
-// An event filter that disables window shortcuts while a popup is open. Only the menu or list of choices receives the
-// keys. Without the filter, Qt would also trigger the shortcuts of the window: Return would both accept the choice and
-// fill the selected hole.
+// An event filter that disables window shortcuts in popups and for typed text. Only the menu or list
+// of choices receives the keys, and Return, Enter and Esc end the text in a field. Without the filter, Qt would also
+// trigger the shortcuts of the window: Return would both accept the choice or the text and fill the selected hole.
 class PopupKeys : public QObject {
   Q_OBJECT
 
@@ -20,6 +20,8 @@ class PopupKeys : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  bool keepForPopup(QObject& watched, QEvent& event);
+
   bool m_isDelivering = false;
 };
 

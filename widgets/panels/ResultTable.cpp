@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ResultTable.h"
 
+#include "controls/OwnKeys.h"
+
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QGuiApplication>
@@ -40,6 +42,7 @@ ResultTable::ResultTable(QWidget* parent)
   header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   auto* key = new QShortcut(QKeySequence::Copy, this, nullptr, nullptr, Qt::WidgetShortcut);
   connect(key, &QShortcut::activated, this, &ResultTable::copy);
+  new OwnKeys(*this, {Qt::Key_Return, Qt::Key_Enter});
   for (QTreeView* view : {static_cast<QTreeView*>(this), m_first})
     connect(view, &QTreeView::activated, this,
             [this](const QModelIndex& index) { emit rowActivated(m_model->source(index.row())); });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/PlanTree.h"
 
+#include "controls/OwnKeys.h"
 #include "document/cell/CellArms.h"
 #include "theme/Icons.h"
 
@@ -32,6 +33,7 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   setSelectionMode(QAbstractItemView::SingleSelection);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
   setContextMenuPolicy(Qt::CustomContextMenu);
+  new OwnKeys(*this, {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Delete});
   connect(this, &QTreeWidget::currentItemChanged, this, [this] {
     if (!m_isFilling) emit currentChanged();
   });

@@ -12,9 +12,12 @@
 #include "window/tools/ToolPanel.h"
 #include "window/tools/ToolReadout.h"
 
-#include <QCoreApplication>
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QDockWidget>
 #include <QKeyEvent>
 #include <QScopedValueRollback>
+#include <algorithm>
 #include <utility>
 
 namespace handwheel {
@@ -72,6 +75,17 @@ void tint(std::vector<DisplayPart>& parts) {
   for (DisplayPart& part : parts) part.colour = {accent.redF(), accent.greenF(), accent.blueF()};
 }
 
+// Returns true for a key that a widget with the focus works with: those that move in it, and Space where it presses or
+// marks something. All others that a widget needs are claimed by itself.
+bool isOfWidget(const QWidget& focus, const QKeyEvent& event) {
+  constexpr int kMoving[] = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down,    Qt::Key_Home,
+                             Qt::Key_End,  Qt::Key_Tab,   Qt::Key_PageUp, Qt::Key_PageDown};
+  if (std::find(std::begin(kMoving), std::end(kMoving), event.key()) != std::end(kMoving)) return true;
+  if (event.key() != Qt::Key_Space) return false;
+  const auto* const list = qobject_cast<const QAbstractItemView*>(&focus);
+  return !list || list->currentIndex().flags().testFlag(Qt::ItemIsUserCheckable);
+}
+
 QString translated(const char* context, const std::string& text) {
   return QCoreApplication::translate(context, text.c_str());
 }
@@ -90,6 +104,7 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
   m_label->setObjectName(QStringLiteral("toolLabel"));
   m_viewport.addLayer(m_proposed);
   m_viewport.installEventFilter(this);
+  m_viewport.window()->installEventFilter(this);
   m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
   connect(&m_panel.settings(), &PropertyList::edited, this,
           [this](const std::string& id, const PropertyValue& value, bool) {
@@ -218,22 +233,45 @@ std::vector<Hint> ToolHost::hints() const {
   return hints;
 }
 
+// A key that nobody between the focus and the window needs comes to the window at last; and to a dock, which may float.
 bool ToolHost::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
-    return QObject::eventFilter(watched, event);
-  return takeKey(*static_cast<QKeyEvent*>(event));
+  if (event->type() == QEvent::ShortcutOverride) return claimKey(*static_cast<QKeyEvent*>(event));
+  if (event->type() != QEvent::KeyPress) return QObject::eventFilter(watched, event);
+  const bool isClaimed = watched == m_claimed;
+  if (isClaimed) unclaim();
+  return (isClaimed || watched == &m_viewport) && takeKey(*static_cast<QKeyEvent*>(event));
 }
 
-// Qt asks before it looks for a command of the window with this key: what is accepted then comes as a press.
+// Qt asks before it looks for a command of the window with this key: what is accepted then comes as a press, to the
+// widget with the focus, which might do something of its own with it.
+bool ToolHost::claimKey(QKeyEvent& event) {
+  unclaim();
+  const Tool* const tool = m_runner.tool();
+  QWidget* const focus = QApplication::focusWidget();
+  if (!tool || !focus || (focus != &m_viewport && isOfWidget(*focus, event))) return false;
+  const auto action = m_keys.actionFor(*tool, event);
+  if (action ? !action->command.empty() : !m_keys.isReserved(*tool, event)) return false;
+  event.accept();
+  m_claimed = focus;
+  if (!isWatched(*focus)) focus->installEventFilter(this);
+  return true;
+}
+
+void ToolHost::unclaim() {
+  if (m_claimed && !isWatched(*m_claimed)) m_claimed->removeEventFilter(this);
+  m_claimed = nullptr;
+}
+
+// The view, the window and its docks are watched all the time.
+bool ToolHost::isWatched(const QWidget& widget) const {
+  return &widget == &m_viewport || widget.isWindow() || qobject_cast<const QDockWidget*>(&widget);
+}
+
 bool ToolHost::takeKey(QKeyEvent& event) {
   const auto action = m_runner.tool() ? m_keys.actionFor(*m_runner.tool(), event) : std::nullopt;
   const bool isIdle = !action || action->effect == kLeaves;
-  if (event.type() == QEvent::KeyPress && event.key() == Qt::Key_Escape && isIdle && m_escape()) return true;
-  if (!action) return false;
-  if (event.type() == QEvent::KeyPress) return perform(action->id) != ToolReply::Ignored;
-  if (!comesFirst(*action, event)) return false;
-  event.accept();
-  return true;
+  if (event.key() == Qt::Key_Escape && isIdle && m_escape()) return true;
+  return action && perform(action->id) != ToolReply::Ignored;
 }
 
 // A tool receives every position of the mouse; its display is drawn once for all positions that wait.

@@ -6,6 +6,7 @@
 #include "panels/HintBar.h"
 #include "tools/ToolRunner.h"
 
+#include <QPointer>
 #include <QTimer>
 #include <map>
 
@@ -72,12 +73,15 @@ class ToolHost : public QObject {
   void previewed(const handwheel::ToolPreview& preview);
 
  protected:
-  bool eventFilter(QObject* watched,
-                   QEvent* event) override;  // handles keys of the tool pressed in the view or the panel "Device"
+  // Handles the keys of the tool, wherever the focus is in the window, unless the widget with the focus needs them.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   bool take(const PointerInput& input);
   ToolReply perform(std::string_view action);
+  bool claimKey(QKeyEvent& event);
+  void unclaim();
+  bool isWatched(const QWidget& widget) const;
   bool takeKey(QKeyEvent& event);
   void showActions();
   void showValues(const PointerInput& input, PointerEvent::Kind kind);
@@ -99,6 +103,7 @@ class ToolHost : public QObject {
   std::function<bool()> m_isMouseDevice = [] { return false; };
   std::function<bool()> m_escape = [] { return false; };
   std::function<bool(const QPointF&)> m_menu;
+  QPointer<QWidget> m_claimed;  // the widget whose next key press is that of the tool; null: none
   std::vector<ServiceHandle> m_needed;
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called

@@ -82,6 +82,16 @@ std::optional<ToolAction> ToolKeys::actionFor(const Tool& tool, const QKeyEvent&
   return found;
 }
 
+bool ToolKeys::isReserved(const Tool& tool, const QKeyEvent& event) {
+  const QList<QKeySequence> meanings = meaningsOf(event);
+  if (std::none_of(meanings.begin(), meanings.end(), isEndingKey)) return false;
+  const std::vector<ToolAction> actions = tool.actions();
+  return std::any_of(actions.begin(), actions.end(), [&](const ToolAction& action) {
+    const QList<QKeySequence> keys = action.id.empty() ? QList<QKeySequence>() : keysOf(tool, action);
+    return std::any_of(keys.begin(), keys.end(), [&](const QKeySequence& key) { return meanings.contains(key); });
+  });
+}
+
 // A gesture of the pointer has none, whatever its words would be as keys.
 QList<QKeySequence> ToolKeys::keysOf(const Tool& tool, const ToolAction& action) {
   if (!action.command.empty()) {
@@ -109,11 +119,6 @@ void ToolKeys::watch(QAction& action) {
     keys = action.shortcuts();
     emit changed();
   });
-}
-
-bool comesFirst(const ToolAction& action, const QKeyEvent& event) {
-  const QList<QKeySequence> meanings = meaningsOf(event);
-  return action.command.empty() && std::none_of(meanings.begin(), meanings.end(), isEndingKey);
 }
 
 }  // namespace handwheel

@@ -34,8 +34,11 @@ class ToolKeys : public QObject {
 
   // Returns the key of an action in native text; empty if it has none.
   QString text(const Tool& tool, const ToolAction& action);
-  // Returns the action of a key; none if there is no action, or more than one.
+  // Returns the enabled action of a key; none if there is no action, or more than one.
   std::optional<ToolAction> actionFor(const Tool& tool, const QKeyEvent& event);
+  // Returns true if an action that is not enabled at present has the key, and it is one that ends an operation: Return,
+  // Enter or Esc. No command of the window may have it in the meantime.
+  bool isReserved(const Tool& tool, const QKeyEvent& event);
 
  signals:
   void triggered(const std::string& action);  // emitted for other triggers than the keyboard
@@ -50,10 +53,5 @@ class ToolKeys : public QObject {
   std::map<std::string, std::map<std::string, ContextAction*>> m_actions;  // by tool and action
   std::map<std::string, QPointer<QAction>> m_commands;
 };
-
-// Returns true if the tool gets the key before the commands of the window. The window comes first if the action is one
-// of its commands, or if the key is Return, Enter or Esc, which then end a selection in a list before they end an
-// operation of the tool.
-bool comesFirst(const ToolAction& action, const QKeyEvent& event);
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "controls/program/ProgramSearchBar.h"
 
+#include "controls/OwnKeys.h"
 #include "controls/program/ProgramEditor.h"
 #include "theme/Icons.h"
 
@@ -31,6 +32,7 @@ ProgramSearchBar::ProgramSearchBar(ProgramEditor* editor)
     : QWidget(editor), m_editor(editor), m_text(new QLineEdit(this)), m_state(new QLabel(this)) {
   setObjectName(QStringLiteral("programSearch"));
   setAutoFillBackground(true);
+  new OwnKeys(*this, {Qt::Key_Return, Qt::Key_Enter, Qt::Key_F3, Qt::Key_Escape});
   setFont(QWidget().font());  // not the font of programs
   m_text->setObjectName(QStringLiteral("programSearchText"));
   m_text->setPlaceholderText(tr("Find in the program"));

@@ -3,6 +3,7 @@
 #include "window/workpiece/program/ProgramPanel.h"
 
 #include "controls/NumberField.h"
+#include "controls/OwnKeys.h"
 #include "controls/program/ProgramEditor.h"
 #include "machining/TurningPass.h"
 #include "theme/Icons.h"
@@ -106,6 +107,7 @@ ProgramPanel::ProgramPanel(const Actions& actions, QWidget* parent)
   column->addWidget(m_list);
   column->addWidget(m_player);
   connect(m_list, &QListWidget::itemClicked, this, [this] { chosen(m_list->currentRow()); });
+  new OwnKeys(*m_list, {Qt::Key_Return, Qt::Key_Enter});
   connect(m_list, &QListWidget::itemActivated, this, [this] { chosen(m_list->currentRow()); });
   setRunning(false);
   setCuttable(false, tr("Run the program first."));
