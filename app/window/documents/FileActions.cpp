@@ -5,7 +5,6 @@
 #include "controls/FocusedField.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
-#include "window/documents/ClosePrompt.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
@@ -296,21 +295,32 @@ bool FileActions::wouldLose(const DocumentTab& document) {
 
 // First about what is beside the document, then about itself.
 void FileActions::decide(DocumentTab* document, std::function<void(bool)> decided) {
-  if (wouldLose(*document)) m_tabs.setCurrent(document);
+  if (wouldLose(*document) && givenAnswer(*document) != CloseAnswer::Discard) m_tabs.setCurrent(document);
   const auto decideItself = [this, document, decided](bool goesOn) {
     if (!goesOn || !m_tabs.contains(document) || !document->document.isModified()) return decided(goesOn);
-    askBeforeClosing(m_window, document->document.name(), [this, document, decided](CloseAnswer answer) {
+    ask(*document, document->document.name(), [this, document, decided](CloseAnswer answer) {
       if (answer == CloseAnswer::Save && m_tabs.contains(document)) return saveOrAsk(document, decided);
       decided(answer == CloseAnswer::Discard);
     });
   };
   const QString beside = document->ui.unsavedBeside(*document);
   if (beside.isEmpty()) return decideItself(true);
-  askBeforeClosing(m_window, beside, [this, document, decideItself](CloseAnswer answer) {
+  ask(*document, beside, [this, document, decideItself](CloseAnswer answer) {
     if (answer == CloseAnswer::Save && m_tabs.contains(document))
       return document->ui.saveBeside(*document, decideItself);
     decideItself(answer == CloseAnswer::Discard);
   });
+}
+
+void FileActions::ask(const DocumentTab& document, const QString& name, std::function<void(CloseAnswer)> then) {
+  if (const auto given = givenAnswer(document)) return then(*given);
+  askBeforeClosing(m_window, name, std::move(then));
+}
+
+std::optional<CloseAnswer> FileActions::givenAnswer(const DocumentTab& document) const {
+  const auto given = m_answers.find(&document);
+  const bool isGiven = given != m_answers.end() && given->second.second == document.document.revision();
+  return isGiven ? std::optional(given->second.first) : std::nullopt;
 }
 
 void FileActions::endClosing(DocumentTab* document, bool close) {
@@ -324,7 +334,30 @@ void FileActions::requestCloseAll(std::function<void()> then) {
   commitFocusedField();
   emit aboutToClose();
   for (const auto& each : m_tabs.all()) each->document.settle();
-  decideNext({}, std::move(then));
+  if (!m_isAskingAboutAll) askAboutAll(std::move(then));
+}
+
+void FileActions::askAboutAll(std::function<void()> then) {
+  m_answers.clear();
+  std::vector<DocumentTab*> changed;
+  QStringList names;
+  for (const auto& open : m_tabs.all()) {
+    if (m_closing.contains(open.get()) || !wouldLose(*open)) continue;
+    const QString beside = open->ui.unsavedBeside(*open), name = open->document.name();
+    changed.push_back(open.get());
+    names << (beside.isEmpty() || beside == name ? name : QStringLiteral("%1 · %2").arg(name, beside));
+  }
+  if (changed.size() < 2) return decideNext({}, std::move(then));
+  m_isAskingAboutAll = true;
+  askBeforeClosing(m_window, names, [this, changed, then = std::move(then)](const QList<CloseAnswer>& answers) {
+    m_isAskingAboutAll = false;
+    if (answers.contains(CloseAnswer::Cancel)) return;
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+      if (m_tabs.contains(changed[i]))
+        m_answers[changed[i]] = {answers[static_cast<qsizetype>(i)], changed[i]->document.revision()};
+    }
+    decideNext({}, then);
+  });
 }
 
 // Nothing is closed before the last answer: who cancels then keeps everything.
@@ -343,6 +376,7 @@ void FileActions::decideNext(std::map<const DocumentTab*, std::uint64_t> decided
       m_afterSaving = connect(&m_jobs, &JobRunner::changed, this, [this, decided, then] { decideNext(decided, then); });
       return;
     }
+    m_answers.clear();
     while (!all.empty()) m_tabs.close(all.back().get());
     return then();
   }
@@ -354,7 +388,7 @@ void FileActions::decideNext(std::map<const DocumentTab*, std::uint64_t> decided
   m_closing[document];  // a second request to close it waits
   decide(document, [=, this](bool isDecided) mutable {
     m_closing.erase(document);
-    if (!isDecided) return;
+    if (!isDecided) return m_answers.clear();  // the next request asks again
     if (m_tabs.contains(document)) decided[document] = document->document.revision();
     decideNext(decided, then);
   });

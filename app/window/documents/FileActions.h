@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "window/documents/ClosePrompt.h"
 #include "window/documents/FileLoader.h"
 #include "window/documents/FileSaver.h"
 #include "window/kinds/KindUi.h"
@@ -9,6 +10,7 @@
 #include <QAction>
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 class QMenu;
@@ -46,8 +48,8 @@ class FileActions : public QObject {
   // is closed. A second request while the user is being asked, or the document is being saved, waits for the same
   // answer.
   void requestClose(DocumentTab* document, std::function<void()> then = {});
-  // Asks about each modified document. Closes all documents when no file is being written, unless the user cancels or
-  // saving fails. then: the function that is called when all are closed.
+  // Asks once about all modified documents. Closes all documents when no file is being written, unless the user cancels
+  // or saving fails. then: the function that is called when all are closed.
   void requestCloseAll(std::function<void()> then);
 
  signals:
@@ -70,7 +72,12 @@ class FileActions : public QObject {
   // Asks what to do with the changes that a document would lose. decided: the function that is called with the result:
   // false if the user cancels or saving fails.
   void decide(DocumentTab* document, std::function<void(bool)> decided);
+  // Asks one of the two questions about a document, unless the user has answered it for all documents at once.
+  void ask(const DocumentTab& document, const QString& name, std::function<void(CloseAnswer)> then);
+  std::optional<CloseAnswer> givenAnswer(const DocumentTab& document) const;
   void endClosing(DocumentTab* document, bool close);
+  // Asks about all modified documents at once, if there are several.
+  void askAboutAll(std::function<void()> then);
   // Asks about the next modified document. decided: the revision of each document when the user answered the question
   // about it. If a document changes later, the user is asked again.
   void decideNext(std::map<const DocumentTab*, std::uint64_t> decided, std::function<void()> then);
@@ -89,6 +96,9 @@ class FileActions : public QObject {
   // Documents that the user is being asked about or that are being saved before closing, with the functions to call
   // when they are closed.
   std::map<const DocumentTab*, std::vector<std::function<void()>>> m_closing;
+  // The answers that were given for all documents at once, with the revisions of the documents at that time.
+  std::map<const DocumentTab*, std::pair<CloseAnswer, std::uint64_t>> m_answers;
+  bool m_isAskingAboutAll = false;
   QMetaObject::Connection m_afterSaving;  // connection that closes all documents when no file is being written
   QAction m_open;
   std::vector<std::pair<StartAction, QAction*>> m_startActions;

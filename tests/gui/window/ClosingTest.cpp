@@ -8,7 +8,9 @@
 #include "window/documents/DocumentTabs.h"
 
 #include <QDockWidget>
+#include <QListWidget>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTimer>
 
 using namespace handwheel;
@@ -33,6 +35,13 @@ class ClosingTest : public QObject {
   }
 
   static QMessageBox* prompt() { return qobject_cast<QMessageBox*>(QApplication::activeModalWidget()); }
+  // The question about several documents.
+  static QDialog* allPrompt() {
+    auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    return dialog && dialog->objectName() == QLatin1String("closeAllPrompt") ? dialog : nullptr;
+  }
+  static QListWidget* list() { return allPrompt()->findChild<QListWidget*>("closePromptList"); }
+  static QPushButton* saveButton() { return allPrompt()->findChild<QPushButton*>("closePromptSave"); }
   static void press(QMessageBox::StandardButton answer) {
     if (auto* box = prompt()) QTest::mouseClick(box->button(answer), Qt::LeftButton);
   }
@@ -91,33 +100,90 @@ class ClosingTest : public QObject {
     QCOMPARE(driver.tabs(), 0);
   }
 
-  // Cancelling at the last question keeps all documents, also those to be discarded and those without changes.
-  void cancellingTheQuitKeepsEverything() {
+  // One question names all changed documents, and no others; cancelling it keeps everything.
+  void quittingAsksOnceAboutAllDocuments() {
     WindowDriver driver(kSmallWindow);
     writeStl(m_folder.filePath("whole.stl"), quadTorus(12, 8, {}));
     QVERIFY(driver.open(m_folder.filePath("whole.stl")));
-    openChanged(driver, m_folder.filePath("first.stl"));
-    openChanged(driver, m_folder.filePath("second.stl"));
+    for (const char* name : {"kept.stl", "lost.stl", "third.stl"}) openChanged(driver, m_folder.filePath(name));
+    driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(allPrompt(), kPatienceMs);
     QStringList asked;
-    QTimer answers;
-    connect(&answers, &QTimer::timeout, qApp, [&asked] {
-      if (!prompt()) return;
-      asked << prompt()->text();
-      press(asked.size() == 1 ? QMessageBox::Discard : QMessageBox::Cancel);
-    });
-    answers.start(20);
-    driver.find<QAction>("quit")->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(asked.size(), 2, kPatienceMs);
+    for (int row = 0; row < list()->count(); ++row) asked << list()->item(row)->text();
+    QCOMPARE(asked, (QStringList{"kept.stl", "lost.stl", "third.stl"}));
+    QCOMPARE(saveButton()->text(), QStringLiteral("&Save all"));
+    allPrompt()->reject();
+    QTRY_VERIFY(!QApplication::activeModalWidget());
     QTest::qWait(100);  // no more is asked
-    QCOMPARE(asked.size(), 2);
-    QVERIFY(asked[0].contains("first.stl") && asked[1].contains("second.stl"));
-    QCOMPARE(driver.tabs(), 3);
+    QVERIFY(!QApplication::activeModalWidget());
+    QCOMPARE(driver.tabs(), 4);
     QVERIFY(driver.window().isVisible());
-    // Asked anew, and this time all goes.
-    answers.disconnect();
-    connect(&answers, &QTimer::timeout, qApp, [] { press(QMessageBox::Discard); });
+    // Asked anew; this time two are saved, and one is not.
     driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(allPrompt(), kPatienceMs);
+    list()->item(1)->setCheckState(Qt::Unchecked);
+    QVERIFY(saveButton()->text() != QStringLiteral("&Save all"));
+    saveButton()->click();
     QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+    QCOMPARE(openEdges(readStl(m_folder.filePath("kept.stl"))), 0);
+    QVERIFY(openEdges(readStl(m_folder.filePath("lost.stl"))) > 0);
+    QCOMPARE(openEdges(readStl(m_folder.filePath("third.stl"))), 0);
+  }
+
+  void quittingDiscardsAll() {
+    WindowDriver driver(kSmallWindow);
+    for (const char* name : {"a.stl", "b.stl"}) openChanged(driver, m_folder.filePath(name));
+    driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(allPrompt(), kPatienceMs);
+    allPrompt()->findChild<QPushButton*>("closePromptDiscard")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+    QVERIFY(openEdges(readStl(m_folder.filePath("a.stl"))) > 0);
+  }
+
+  // A document without a file is asked for a name. Who gives none keeps the program with all its documents, and the
+  // answers are forgotten: the document that was to be discarded is asked about again.
+  void quittingWithoutANameKeepsEverything() {
+    WindowDriver driver(kSmallWindow);
+    openChanged(driver, m_folder.filePath("unsaved.stl"));
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    driver.edit("diameter", "33");
+    driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(allPrompt(), kPatienceMs);
+    list()->item(0)->setCheckState(Qt::Unchecked);
+    saveButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().findChild<QFileDialog*>("saveDialog"), kPatienceMs);
+    driver.find<QFileDialog>("saveDialog")->reject();
+    QTRY_VERIFY(!driver.window().findChild<QFileDialog*>("saveDialog"));
+    QCOMPARE(driver.tabs(), 2);
+    QVERIFY(driver.window().isVisible());
+    driver.find<DocumentTabs>("tabRow")->setCurrent(driver.find<DocumentTabs>("tabRow")->all().front().get());
+    QVERIFY(closeAndAnswer(driver, QMessageBox::Cancel));
+    QCOMPARE(driver.tabs(), 2);
+    driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(allPrompt(), kPatienceMs);
+    saveButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().findChild<QFileDialog*>("saveDialog"), kPatienceMs);
+    QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath("named.handwheel")));
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+    QVERIFY(QFileInfo::exists(m_folder.filePath("named.handwheel")));
+    QCOMPARE(openEdges(readStl(m_folder.filePath("unsaved.stl"))), 0);
+  }
+
+  // What cannot be saved keeps the program open, in view, and a message says so.
+  void quittingStaysWithWhatCannotBeSaved() {
+    QTemporaryDir folder;
+    WindowDriver driver(kSmallWindow);
+    openChanged(driver, folder.filePath("gone.stl"));
+    openChanged(driver, m_folder.filePath("other.stl"));
+    QVERIFY(folder.remove());
+    driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(allPrompt(), kPatienceMs);
+    saveButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
+    QVERIFY2(driver.text("messageText").contains("gone.stl"), qPrintable(driver.text("messageText")));
+    QVERIFY(driver.window().isVisible());
+    QCOMPARE(driver.tabs(), 2);
   }
 
   // A document that changes after its answer, while another is saved, is asked about again.
@@ -125,21 +191,20 @@ class ClosingTest : public QObject {
     WindowDriver driver(kSmallWindow);
     openChanged(driver, m_folder.filePath("early.stl"));
     openChanged(driver, m_folder.filePath("late.stl"));
+    driver.hold();
     driver.find<QAction>("quit")->trigger();
-    for (const char* name : {"early.stl", "late.stl"}) {
-      QTRY_VERIFY_WITH_TIMEOUT(prompt() && prompt()->text().contains(name), kPatienceMs);
-      if (QByteArray(name) == "late.stl") driver.hold();
-      press(QMessageBox::Save);
-      QTRY_VERIFY(!prompt());
-    }
-    driver.find<DocumentTabs>("tabRow")->all().front()->document.history()->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(allPrompt(), kPatienceMs);
+    saveButton()->click();
+    QTRY_VERIFY(!QApplication::activeModalWidget());
+    driver.find<DocumentTabs>("tabRow")->all().back()->document.history()->undo();
+    driver.find<DocumentTabs>("tabRow")->all().back()->document.history()->redo();
     driver.release();
-    QTRY_VERIFY_WITH_TIMEOUT(prompt() && prompt()->text().contains("early.stl"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(prompt() && prompt()->text().contains("late.stl"), kPatienceMs);
     QVERIFY(driver.window().isVisible());
     press(QMessageBox::Discard);
     QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
     QCOMPARE(openEdges(readStl(m_folder.filePath("early.stl"))), 0);
-    QCOMPARE(openEdges(readStl(m_folder.filePath("late.stl"))), 0);
+    QVERIFY(openEdges(readStl(m_folder.filePath("late.stl"))) > 0);
   }
 
   // A copy of what has no changes: nobody is asked, but it is written before the window goes.
