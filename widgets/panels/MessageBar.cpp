@@ -206,7 +206,7 @@ void MessageBar::showLatest() {
   setVisible(entry != nullptr);
   if (!entry) return;
   const Message& message = entry->message;
-  drawIcon();
+  drawIcons();
   m_text->setText(textOf(message));
   setAccessibleName(message.title);
   m_action->setText(message.actionText);
@@ -218,13 +218,19 @@ void MessageBar::showLatest() {
   m_more->setVisible(others > 0);
 }
 
-void MessageBar::drawIcon() {
-  if (const Entry* entry = latest())
-    m_icon->setPixmap(iconOf(entry->message.weight).pixmap(QSize(20, 20), devicePixelRatioF()));
+void MessageBar::drawIcons() {
+  const Entry* const shown = latest();
+  if (!shown) return;
+  m_icon->setPixmap(iconOf(shown->message.weight).pixmap(QSize(20, 20), devicePixelRatioF()));
+  auto heaviest = Message::Weight::Info;
+  for (const Entry& entry : m_messages) {
+    if (&entry != shown && isSeen(entry)) heaviest = std::max(heaviest, entry.message.weight);
+  }
+  m_more->setIcon(heaviest == Message::Weight::Info ? QIcon() : iconOf(heaviest));
 }
 
 void MessageBar::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) drawIcon();
+  if (event->type() == QEvent::PaletteChange) drawIcons();
   QFrame::changeEvent(event);
 }
 

@@ -27,7 +27,7 @@ struct Message {
   std::function<void()> other = {};
   const Document* about = nullptr;  // the message is removed with this document; null: it is about no open document
   QString topic = {};               // withdraw() with this topic removes the message; empty: it cannot be withdrawn
-  bool comesFirst = false;          // shown before others and never removed unread, because data may be lost
+  bool comesFirst = false;          // shown before others and never removed unread, because something was lost
   // The function that is called after changes of `about`, before new messages, and when another document becomes
   // current. If it returns true, the message is removed.
   std::function<bool()> isOver = {};
@@ -78,7 +78,7 @@ class MessageBar : public QFrame {
   void act(std::function<void()> Message::*what);
   void showLatest();
   void showNext();
-  void drawIcon();
+  void drawIcons();
   void place();
 
   std::vector<Entry> m_messages;         // messages in the order of their arrival
@@ -87,7 +87,8 @@ class MessageBar : public QFrame {
   QWidget* m_area = nullptr;  // the sibling that the bar covers; null: a layout determines the position of the bar
   QLabel* m_icon;
   QLabel* m_text;
-  QPushButton* m_more;  // shows the number of further messages; a click shows the next one
+  // Shows the number of further messages with the icon of the most serious one; a click shows the next one.
+  QPushButton* m_more;
   QPushButton* m_action;
   QPushButton* m_other;
 };

@@ -177,6 +177,7 @@ void FileLoader::reportDamagedChanges(const Document& document, const std::files
                  {},
                  {}};
   notice.about = &document;
+  notice.comesFirst = true;
   emit message(notice);
 }
 
@@ -198,7 +199,8 @@ void FileLoader::reportNotes(const Document& document) {
                 {},
                 {},
                 &document,
-                kOpeningTopic});
+                kOpeningTopic,
+                true});
 }
 
 void FileLoader::logFindings(const DocumentFile& file, LogModel& log) {
@@ -249,7 +251,8 @@ void FileLoader::reportLosses(const Document& document) {
                 {},
                 {},
                 &document,
-                kOpeningTopic});
+                kOpeningTopic,
+                true});
 }
 
 }  // namespace handwheel

@@ -64,6 +64,7 @@ Message partRemovedMessage(const MeshDocument& document, const QString& what, co
           .actionText = RepairJobs::tr("Undo"),
           .action = std::move(undo),
           .about = &document,
+          .comesFirst = true,
           .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
 }
 

@@ -52,6 +52,27 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isHidden());
   }
 
+  // What was lost is read first, whatever comes later, and the button for the others says how serious they are.
+  void aLossIsNotHiddenBehindOthers() {
+    QWidget window;
+    MessageBar bar(&window);
+    window.show();
+    const auto text = [&bar] { return bar.findChild<QLabel*>("messageText")->text(); };
+    auto* const more = bar.findChild<QPushButton*>("messageMore");
+    Message loss{Message::Weight::Warning, "material was lost"};
+    loss.comesFirst = true;
+    bar.showMessage(loss);
+    bar.showMessage({Message::Weight::Info, "two pieces were deleted"});
+    QVERIFY(text().contains("material was lost"));
+    QVERIFY(more->isVisible() && more->icon().isNull());
+    more->click();  // it was read
+    QVERIFY(text().contains("two pieces were deleted"));
+    QVERIFY(!more->icon().isNull());
+    bar.showMessage({Message::Weight::Info, "later"});
+    QVERIFY(text().contains("later"));
+    QVERIFY(!more->icon().isNull());
+  }
+
   // It covers no more of the view than its text needs at its width.
 
   void aLineIsAsHighAsAnotherLine() {

@@ -225,7 +225,10 @@ void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, cons
   if (summary.isPartly) {
     emit changedPartly(&document, text, summary.how);
   } else if (summary.isWorthMessage) {
-    emit message(changeMessage(document.document, text, summary.how));
+    Message change = changeMessage(document.document, text, summary.how);
+    if (summary.hasLostWalls) change.weight = Message::Weight::Warning;
+    change.comesFirst = summary.hasLostWalls;
+    emit message(change);
   }
 }
 
