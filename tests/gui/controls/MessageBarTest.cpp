@@ -52,7 +52,7 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isHidden());
   }
 
-  // What was lost is read first, whatever comes later, and the button for the others says how serious they are.
+  // A loss is read first, whatever comes later, and the button for the others says how serious they are.
   void aLossIsNotHiddenBehindOthers() {
     QWidget window;
     MessageBar bar(&window);

@@ -170,7 +170,7 @@ class ClosingTest : public QObject {
     QCOMPARE(openEdges(readStl(m_folder.filePath("unsaved.stl"))), 0);
   }
 
-  // What cannot be saved keeps the program open, in view, and a message says so.
+  // A document that cannot be saved keeps the program open, in view, and a message says so.
   void quittingStaysWithWhatCannotBeSaved() {
     QTemporaryDir folder;
     WindowDriver driver(kSmallWindow);

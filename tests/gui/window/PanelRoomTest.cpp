@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
+#include "WindowDriver.h"
 #include "WindowTestMain.h"
 
 #include <QDockWidget>
@@ -12,8 +14,57 @@ using namespace handwheel::test;
 class PanelRoomTest : public QObject {
   Q_OBJECT
 
+ private:
+  QTemporaryDir m_folder;
+
  private slots:
   void init() { QSettings().clear(); }
+
+  // All of the text about a hole with an island is visible in a narrow panel, also beside the methods.
+  void theTextAboutAHole_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<bool>("isComparing");
+    for (const bool isComparing : {false, true}) {
+      QTest::addRow("English, %d", isComparing) << QString() << isComparing;
+      QTest::addRow("German, %d", isComparing) << QStringLiteral(":/translations/handwheel_de") << isComparing;
+    }
+  }
+  void theTextAboutAHole() {
+    QFETCH(QString, language);
+    QFETCH(bool, isComparing);
+    QTranslator translator;
+    if (!language.isEmpty()) {
+      QVERIFY(translator.load(language));
+      QCoreApplication::installTranslator(&translator);
+    }
+    WindowDriver driver;
+    const QString path = m_folder.filePath("island.stl");
+    writeStl(path, quadTorus(24, 12, {{2, 4}, {3, 4}, {4, 4}, {2, 5}, {4, 5}, {2, 6}, {3, 6}, {4, 6}}));
+    QVERIFY(driver.open(path));
+    driver.clickDefect(DefectKind::Hole, 0);
+    auto* const settings = driver.find<QWidget>("holeSettings");
+    QTRY_VERIFY(settings->isVisible());
+    if (isComparing) driver.click("compareMethods");
+    QVERIFY(driver.settle());
+    for (const int room : {280, 320, 420}) {
+      driver.window().resizeDocks({driver.find<QDockWidget>("kindDock")}, {room}, Qt::Horizontal);
+      QTest::qWait(50);
+      for (const QLabel* label : settings->findChildren<QLabel*>()) {
+        if (!label->isVisible()) continue;
+        QVERIFY2(label->height() >= label->heightForWidth(label->width()),
+                 qPrintable(QStringLiteral("%1 at %2").arg(label->text()).arg(room)));
+      }
+      const auto* const methods = driver.find<QTreeView>("methodTable");
+      if (!isComparing) continue;
+      const QModelIndex last = methods->model()->index(methods->model()->rowCount() - 1, 0);
+      const auto* const above = driver.find<QTreeView>("defectList");
+      const bool hasRoom = above->height() > above->minimumHeight();
+      QVERIFY(!hasRoom || methods->viewport()->rect().contains(methods->visualRect(last)));
+      // The room below the buttons is for texts that nothing asks for while the methods are compared.
+      const auto* const fill = driver.find<QWidget>("fillHoleButton");
+      QVERIFY(settings->height() - fill->geometry().bottom() < 2 * settings->fontMetrics().lineSpacing());
+    }
+  }
 
   // With the panels of an exercise, of the lathe and of programs, in either language: 1024 × 700 pixels.
   void theSmallestWindow_data() {

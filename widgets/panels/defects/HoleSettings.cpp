@@ -30,6 +30,10 @@ QComboBox* methodBox(QWidget* parent) {
     box->addItem(fillMethodName(method), static_cast<int>(method));
     box->setItemData(box->count() - 1, fillMethodHint(method), Qt::ToolTipRole);
   }
+  // A box that needs more room than a narrow panel has would make Qt lay out the texts above it for a wider panel.
+  constexpr int kFewestLetters = 5;
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(kFewestLetters);
   constexpr int kPadding = 24;  // padding of the items, by the style sheet
   box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + kPadding);
   return box;
@@ -71,10 +75,7 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   m_otherStatus->setProperty("muted", true);
   m_otherStatus->setObjectName(QStringLiteral("otherPreviewStatus"));
   for (QLabel* label : {m_measures, m_status, m_otherStatus}) label->setWordWrap(true);
-  // The label keeps its room, so that the button under the pointer does not move when the text appears.
-  QSizePolicy keepsRoom = m_otherStatus->sizePolicy();
-  keepsRoom.setRetainSizeWhenHidden(true);
-  m_otherStatus->setSizePolicy(keepsRoom);
+  keepRoomForOther(true);
   m_otherStatus->setMinimumHeight(2 * m_otherStatus->fontMetrics().lineSpacing());
   showOtherPreview({});
   m_status->setMinimumHeight(m_status->fontMetrics().lineSpacing());
@@ -134,9 +135,17 @@ QToolButton* HoleSettings::compareButton() {
   m_trials->hide();
   connect(button, &QToolButton::toggled, this, [this](bool on) {
     m_trials->setVisible(on);
+    keepRoomForOther(!on);  // the last methods would not fit on a small screen
     if (on) emit compareRequested();
   });
   return button;
+}
+
+// The label keeps its room, so that the button under the pointer does not move when the text appears.
+void HoleSettings::keepRoomForOther(bool isKept) {
+  QSizePolicy policy = m_otherStatus->sizePolicy();
+  policy.setRetainSizeWhenHidden(isKept);
+  m_otherStatus->setSizePolicy(policy);
 }
 
 QWidget* HoleSettings::thicknessRow() {

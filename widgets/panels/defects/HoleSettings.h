@@ -62,6 +62,7 @@ class HoleSettings : public QFrame {
 
  private:
   QToolButton* compareButton();
+  void keepRoomForOther(bool isKept);
   QWidget* thicknessRow();
 
   QLabel* m_name;
