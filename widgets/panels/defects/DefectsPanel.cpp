@@ -32,6 +32,8 @@ QTreeView* defectList(QWidget* parent, DefectModel* model, DefectDelegate* deleg
   list->setHeaderHidden(true);
   list->setUniformRowHeights(true);
   list->setMinimumHeight(kFewestRows * (list->fontMetrics().height() + kRowMargin));
+  // The settings below the list take their room first; the list, which scrolls, has the rest.
+  list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   list->setIndentation(16);
   list->setMouseTracking(true);
   list->setExpandsOnDoubleClick(true);
