@@ -12,6 +12,7 @@
 #include "window/documents/DocumentProperties.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolChoice.h"
 
@@ -57,6 +58,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   new PopupKeys(this);
   new DisabledReasons(this);
+  new FileDialogLayout(this);
   buildCentre();
   makeKinds(kinds);
   buildDocks();

@@ -251,6 +251,12 @@ void FileActions::askForName(DocumentTab* document, std::function<void(bool)> en
   dialog->setDirectory(isOwn ? folder.filePath() : lastFolder());
   dialog->selectFile(QFileInfo(suggestion).fileName());
   dialog->setDefaultSuffix(endingOf(document->document.kind(), suggestion));
+  connect(dialog, &QFileDialog::filterSelected, dialog,
+          [dialog, &kind = document->document.kind()](const QString& chosen) {
+            const QString name = QFileInfo(dialog->selectedFiles().value(0)).fileName();
+            dialog->selectFile(renamedFor(kind, name, chosen));
+            dialog->setDefaultSuffix(endingOf(kind, renamedFor(kind, QStringLiteral("name"), chosen)));
+          });
   connect(dialog, &QFileDialog::fileSelected, this, [this, document, ended](const QString& path) {
     if (!m_tabs.contains(document)) return;
     rememberFolder(path);

@@ -5,17 +5,23 @@
 #include "document/Document.h"
 #include "window/documents/Samples.h"
 
+#include <QApplication>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHeaderView>
+#include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTreeView>
 
 namespace handwheel {
 
 namespace {
 const auto kFolderKey = QStringLiteral("lastFolder");
-}
+constexpr QSize kDialogSize(860, 560);  // logical pixels
+}  // namespace
 
 QString lastFolder() {
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -49,6 +55,22 @@ QFileDialog* openingDialog(QWidget* window, const Document& document, const QStr
   dialog->setFileMode(QFileDialog::ExistingFile);
   QObject::connect(dialog, &QFileDialog::fileSelected, dialog, &rememberFolder);
   return dialog;
+}
+
+FileDialogLayout::FileDialogLayout(QObject* parent) : QObject(parent) {
+  qApp->installEventFilter(this);
+}
+
+// Dialogs of the desktop have no such list.
+bool FileDialogLayout::eventFilter(QObject* watched, QEvent* event) {
+  auto* const dialog = event->type() == QEvent::Show ? qobject_cast<QFileDialog*>(watched) : nullptr;
+  auto* const files = dialog ? dialog->findChild<QTreeView*>(QStringLiteral("treeView")) : nullptr;
+  if (!files) return QObject::eventFilter(watched, event);
+  dialog->resize(dialog->size().expandedTo(kDialogSize.boundedTo(dialog->screen()->availableSize())));
+  files->header()->setStretchLastSection(false);
+  files->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  files->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  return QObject::eventFilter(watched, event);
 }
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
 #include <QString>
 
 class QFileDialog;
@@ -28,5 +29,17 @@ void beginInFolderOf(QFileDialog& dialog, const QString& purpose);
 // Returns a dialog for an existing file, that starts in folderFor() the document; the chosen folder is remembered. The
 // dialog is owned by the window and destroyed when it is closed. The caller must open it.
 QFileDialog* openingDialog(QWidget* window, const Document& document, const QString& title, const QString& filter);
+
+// Gives file dialogs the size and the columns at which names, sizes and dates of files are whole, when they appear.
+class FileDialogLayout : public QObject {
+  Q_OBJECT
+
+ public:
+  // Installs an event filter on the application for the lifetime of this object.
+  explicit FileDialogLayout(QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
 
 }  // namespace handwheel

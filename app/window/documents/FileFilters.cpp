@@ -91,6 +91,17 @@ QStringList openFilters(const DocumentKinds& kinds, const QStringList& beside) {
   return lines << titled(FileFiltersWords::tr("All files"), {QStringLiteral("*")});
 }
 
+QString renamedFor(const DocumentKind& kind, const QString& name, const QString& filter) {
+  const qsizetype from = filter.lastIndexOf(QLatin1Char('(')) + 1;
+  QStringList endings = filter.mid(from, filter.lastIndexOf(QLatin1Char(')')) - from).split(QLatin1Char(' '));
+  for (QString& each : endings) each.remove(QLatin1Char('*'));
+  const auto hasEnding = [&](const QString& ending) { return name.endsWith(ending, Qt::CaseInsensitive); };
+  if (name.isEmpty() || endings.first().isEmpty() || std::any_of(endings.begin(), endings.end(), hasEnding))
+    return name;
+  const bool isKnown = isContainerName(QFile::encodeName(name).toStdString()) || formatOf(kind, name);
+  return (isKnown ? name.chopped(endingOf(kind, name).size()) : name) + endings.first();
+}
+
 QStringList saveFilters(const DocumentKind& kind) {
   QStringList all{containerPattern()}, lines{titled(FileFiltersWords::tr("Handwheel documents"), all)};
   for (const FileFormat& format : kind.formats()) {

@@ -30,5 +30,8 @@ QString iconNameFor(const DocumentKinds& kinds, const QString& path);
 QStringList openFilters(const DocumentKinds& kinds, const QStringList& beside = {});
 // Returns the name filters of the save dialog: one for all formats of the kind, then one for each format.
 QStringList saveFilters(const DocumentKind& kind);
+// Returns a file name with the ending of a filter for one format, in place of its own; unchanged if it has one of the
+// filter's endings already.
+QString renamedFor(const DocumentKind& kind, const QString& name, const QString& filter);
 
 }  // namespace handwheel

@@ -23,6 +23,46 @@ class ExportTest : public QObject {
   }
 
  private slots:
+  // The name follows the type that is chosen, and the columns show sizes and dates whole.
+  void theSaveDialogFollowsItsType() {
+    WindowDriver driver(kSmallWindow);
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    QFile file(m_folder.filePath("a-file-with-a-long-name-and-a-size.handwheel"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(600000, ' ')) == 600000);
+    file.close();
+    QSettings().setValue("lastFolder", m_folder.path());
+    driver.choose("saveFileAs");
+    QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
+    auto* const dialog = driver.find<QFileDialog>("saveDialog");
+    QTRY_VERIFY(dialog->isVisible());
+    const auto* const name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    QVERIFY2(name->text().endsWith(".handwheel"), qPrintable(name->text()));
+    const QString stem = name->text().chopped(10);
+    for (const char* ending : {".step", ".stl", ".handwheel"}) {
+      const QStringList filters = dialog->nameFilters();
+      const auto only = std::find_if(filters.begin(), filters.end(), [&](const QString& each) {
+        return each.count('*') == 1 && each.contains(QLatin1String(ending));
+      });
+      const auto found =
+          only != filters.end() ? only : std::find_if(filters.begin() + 1, filters.end(), [&](auto& each) {
+            return each.contains(QString::fromLatin1("(*%1").arg(ending));
+          });
+      QVERIFY2(found != filters.end(), ending);
+      dialog->selectNameFilter(*found);
+      emit dialog->filterSelected(*found);
+      QCOMPARE(name->text(), stem + QString::fromLatin1(ending));
+    }
+    auto* const files = dialog->findChild<QTreeView*>("treeView");
+    QTRY_VERIFY(files->model()->rowCount(files->rootIndex()) > 0);
+    QTest::qWait(100);
+    for (int column = 1; column < 4; ++column)
+      QVERIFY2(files->columnWidth(column) >=
+                   files->sizeHintForIndex(files->model()->index(0, column, files->rootIndex())).width(),
+               qPrintable(QString::number(column)));
+    dialog->reject();
+  }
+
   // A bar of 30 mm: its file keeps the number, whatever else is written of it.
   void aWorkpieceKeepsItsFile_data() {
     QTest::addColumn<QString>("ending");
