@@ -26,6 +26,33 @@
         <source>They will be lost if you do not save them.</source>
         <translation>Sie gehen verloren, wenn Sie nicht speichern.</translation>
     </message>
+    <message>
+        <source>Documents to save</source>
+        <translation>Zu speichernde Dokumente</translation>
+    </message>
+    <message>
+        <source>&amp;Save all</source>
+        <translation>Alle &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Save the checked</source>
+        <translation>Markierte &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard all</source>
+        <translation>Alle &amp;verwerfen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Save the changes to %n document(s)?</source>
+        <translation>
+            <numerusform>Die Änderungen an %n Dokument speichern?</numerusform>
+            <numerusform>Die Änderungen an %n Dokumenten speichern?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The changes to those that are not checked will be lost.</source>
+        <translation>Die Änderungen an nicht markierten gehen verloren.</translation>
+    </message>
 </context>
 <context>
     <name>DefectModel</name>

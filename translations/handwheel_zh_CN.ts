@@ -26,6 +26,32 @@
         <source>They will be lost if you do not save them.</source>
         <translation>如果不保存，这些更改将丢失。</translation>
     </message>
+    <message>
+        <source>Documents to save</source>
+        <translation>要保存的文档</translation>
+    </message>
+    <message>
+        <source>&amp;Save all</source>
+        <translation>全部保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Save the checked</source>
+        <translation>保存已勾选的(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard all</source>
+        <translation>全部放弃(&amp;D)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Save the changes to %n document(s)?</source>
+        <translation>
+            <numerusform>是否保存对 %n 个文档的更改？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The changes to those that are not checked will be lost.</source>
+        <translation>未勾选的文档的更改将会丢失。</translation>
+    </message>
 </context>
 <context>
     <name>DefectModel</name>
