@@ -66,7 +66,7 @@ inline constexpr double kPatchDensity = 1.4142135623730951;
 // A crease is continued through a hole at which it ends if its sides meet at more than this angle (radian; 30°).
 inline constexpr double kCreaseAngle = 0.52;
 // Limits on the new vertices of a patch, per boundary edge and in total. If the density of the surroundings requires
-// more vertices, the patch is coarser. Refining and fairing 10,000 vertices takes 0.15 s, which cannot be interrupted.
+// more vertices, the patch is coarser. Fairing 10,000 vertices takes 0.15 s, which cannot be interrupted.
 inline constexpr int kPatchVerticesPerEdge = 20;
 inline constexpr int kPatchVertices = 10'000;
 // A winding number that differs from an integer by at most this counts as that integer. Holes elsewhere in a surface

@@ -166,10 +166,14 @@ bool MessageBar::isSeen(const Entry& entry) const {
   return !about || about == m_document || entry.arrivedOver == m_document;
 }
 
+bool MessageBar::comesFirst(const Entry& entry) const {
+  return entry.message.comesFirst && (!entry.message.about || entry.since.elapsed() < m_readingTime);
+}
+
 const MessageBar::Entry* MessageBar::latest() const {
   const Entry* best = nullptr;
   for (const Entry& entry : m_messages) {
-    const bool isBehind = best && best->message.comesFirst && !entry.message.comesFirst;
+    const bool isBehind = best && comesFirst(*best) && !entry.message.comesFirst;
     if (isSeen(entry) && !isBehind) best = &entry;
   }
   return best;

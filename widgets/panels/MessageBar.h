@@ -27,7 +27,9 @@ struct Message {
   std::function<void()> other = {};
   const Document* about = nullptr;  // the message is removed with this document; null: it is about no open document
   QString topic = {};               // withdraw() with this topic removes the message; empty: it cannot be withdrawn
-  bool comesFirst = false;          // shown before others and never removed unread, because something was lost
+  // Shown before others and never removed unread, because something was lost. Where it is about a document, later
+  // messages, which answer what the user does there, are shown before it once there was time to read it.
+  bool comesFirst = false;
   // The function that is called after changes of `about`, before new messages, and when another document becomes
   // current. If it returns true, the message is removed.
   std::function<bool()> isOver = {};
@@ -69,7 +71,8 @@ class MessageBar : public QFrame {
   };
 
   void removeOver();
-  // Returns the latest visible message, preferably one with comesFirst; null: no message is visible.
+  bool comesFirst(const Entry& entry) const;
+  // Returns the latest visible message, preferably one that comes first; null: no message is visible.
   const Entry* latest() const;
   std::size_t seenCount() const;
   static bool isOver(const Entry& entry);

@@ -199,8 +199,7 @@ void FileLoader::reportNotes(const Document& document) {
                 {},
                 {},
                 &document,
-                kOpeningTopic,
-                true});
+                kOpeningTopic});
 }
 
 void FileLoader::logFindings(const DocumentFile& file, LogModel& log) {

@@ -4,6 +4,8 @@
 
 #include "base/Tolerance.h"
 #include "mesh/openmesh/OpenMeshCopy.h"
+#include "mesh/structure/DisjointSets.h"
+#include "mesh/structure/EdgeTable.h"
 #include "proximity/TriangleHierarchy.h"
 
 #include <algorithm>
@@ -27,6 +29,29 @@ constexpr int kRemeshingRounds = 6;  // rounds of splitting, collapsing, flippin
 constexpr int kSplitPasses = 30;     // halvings of an edge in a round; no patch has edges 2^30 times too long
 constexpr int kFlipPasses = 20;
 
+// Returns true if each edge has one face, or two that agree in orientation, and each point one fan of faces. Other
+// faces stop OpenMesh with an assertion.
+bool isManifold(const TriangleSoup& patch) {
+  bool isManifold = std::none_of(patch.triangles.begin(), patch.triangles.end(), hasRepeatedVertex);
+  const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
+  DisjointSets fans(3 * patch.triangles.size());  // of corners, numbered like the half-edges that start there
+  const EdgeTable edges(patch.triangles, patch.points.size());
+  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> uses) {
+    if (uses.size() == 1) return;
+    const std::uint32_t h = uses[0].halfEdge, g = uses[1].halfEdge;
+    isManifold = isManifold && uses.size() == 2 && patch.triangles[h / 3][h % 3] != patch.triangles[g / 3][g % 3];
+    fans.join(h, next(g));
+    fans.join(next(h), g);
+  });
+  std::vector<std::uint32_t> fanOf(patch.points.size(), kNone);
+  for (std::uint32_t h = 0; h < 3 * patch.triangles.size(); ++h) {
+    std::uint32_t& fan = fanOf[patch.triangles[h / 3][h % 3]];
+    if (fan == kNone) fan = fans.root(h);
+    isManifold = isManifold && fan == fans.root(h);
+  }
+  return isManifold;
+}
+
 class EvenRemesher {
  public:
   EvenRemesher(const TriangleSoup& patch, const EvenRemeshing& wanted, const Progress& progress)
@@ -34,15 +59,16 @@ class EvenRemesher {
 
   // Returns false if the patch is not manifold, or has a vertex with so many faces that OpenMesh would take minutes.
   bool take(const TriangleSoup& patch) {
-    if (hasHub(patch)) return false;
+    if (hasHub(patch) || !isManifold(patch)) return false;
     m_surface.poll(m_progress);
     for (const Vec3& p : patch.points) addPoint(p);
+    m_inside = patch.points.size() - m_wanted.lengths.size();
     for (const Triangle& t : patch.triangles) {
       const auto corner = [&](int k) { return VertexHandle(static_cast<int>(t[k])); };
       if (!m_surface.add_face(corner(0), corner(1), corner(2)).is_valid()) return false;
     }
     for (const auto v : m_surface.vertices()) {
-      if (isFixed(v) != m_surface.is_boundary(v) || !m_surface.is_manifold(v)) return false;
+      if (isFixed(v) != m_surface.is_boundary(v)) return false;
     }
     initialiseLengths();
     return true;

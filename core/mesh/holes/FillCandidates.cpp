@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -136,25 +137,27 @@ std::vector<Continuity> FillCandidates::continuities() const {
 void FillCandidates::addRefined(std::optional<Continuity> bent) {
   const auto addFrom = [this, bent](Start& start) {
     m_makers.push_back([this, &start, bent]() -> Made {
-      const Made& even = start.refined([this](const Patch& patch) { return refined(patch); });
-      return even && bent ? fairPatch(m_hole, *even, *bent, m_progress) : even;
+      const Progress whole = std::exchange(m_progress, m_progress.part(0.0, 0.5));
+      if (!start.get()) return std::nullopt;
+      const Made& even = start.refined([&](const Patch& patch) { return refined(patch, whole.part(0.5, 0.9)); });
+      return even && bent ? fairPatch(m_hole, *even, *bent, whole.part(0.9, 1.0)) : even;
     });
   };
   if (m_options.bridges.empty()) addFrom(m_flat);
   for (Start& start : m_starts) addFrom(start);
 }
 
-FillCandidates::Made FillCandidates::refined(const Patch& start) const {
-  return refinePatch(m_hole, start, m_options.density, m_joined, m_progress);
+FillCandidates::Made FillCandidates::refined(const Patch& start, Progress progress) const {
+  return refinePatch(m_hole, start, m_options.density, m_joined, progress);
 }
 
-std::vector<Patch> FillCandidates::evenVersions(const Patch& patch, Progress progress) {
-  m_progress = progress;
+std::vector<Patch> FillCandidates::evenVersions(const Patch& patch, Progress progress) const {
   std::vector<Patch> versions;
   if (!hasEvenTriangles()) return versions;
-  Made even = refined(patch);
+  Made even = refined(patch, progress.part(0.0, 0.8));
   if (!even) return versions;
-  if (Made membrane = fairPatch(m_hole, *even, Continuity::Position, progress)) versions.push_back(*membrane);
+  if (Made membrane = fairPatch(m_hole, *even, Continuity::Position, progress.part(0.8, 1.0)))
+    versions.push_back(*membrane);
   versions.push_back(std::move(*even));
   return versions;
 }

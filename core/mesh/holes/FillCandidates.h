@@ -31,7 +31,7 @@ class FillCandidates {
   }
   // Returns versions with even triangles of a patch without added points, the best first; none if the chosen method
   // adds no points.
-  std::vector<Patch> evenVersions(const Patch& patch, Progress progress);
+  std::vector<Patch> evenVersions(const Patch& patch, Progress progress) const;
   // Returns true if the hole is nearly flat and the patch, seen from above, covers more than it.
   bool spansOutside(const Patch& patch);
 
@@ -57,7 +57,7 @@ class FillCandidates {
   bool hasEvenTriangles() const;
   std::vector<Continuity> continuities() const;
   void addRefined(std::optional<Continuity> bent);
-  Made refined(const Patch& start) const;
+  Made refined(const Patch& start, Progress progress) const;
   Made flat();
   Made inPieces(FillMethod method);
   Made piece(const HoleContext& hole, FillMethod method, Progress progress) const;

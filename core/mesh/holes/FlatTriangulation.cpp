@@ -28,7 +28,7 @@ bool insertLoop(const HoleContext& hole, const Vec3& normal, Planar& planar, Pro
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u), origin = hole.points.front();
   std::vector<Planar::Vertex_handle> vertices;
   for (std::uint32_t i = 0; i < hole.loopSize; ++i) {
-    if (!pollProgress(i, hole.loopSize, progress)) return false;
+    if (!pollProgress(i, hole.loopSize, progress.part(0.0, 0.5))) return false;
     const Vec3 p = hole.points[i] - origin;
     const Planar::Face_handle near = vertices.empty() ? Planar::Face_handle() : vertices.back()->face();
     vertices.push_back(planar.insert({p.dot(u), p.dot(v)}, near));
@@ -36,7 +36,7 @@ bool insertLoop(const HoleContext& hole, const Vec3& normal, Planar& planar, Pro
   }
   if (planar.number_of_vertices() < hole.loopSize || planar.dimension() < 2) return false;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (!pollProgress(i, vertices.size(), progress)) return false;
+    if (!pollProgress(i, vertices.size(), progress.part(0.5, 1.0))) return false;
     const Planar::Vertex_handle a = vertices[i], b = vertices[(i + 1) % vertices.size()];
     planar.insert_constraint(a, b);
     // A point on the segment would have become an end of the edge.

@@ -126,10 +126,10 @@ struct HoleFiller::State {
     if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
     if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
     if (!options.mayCross && doublesAnEdge(patch, joined)) return FillFailure::NoPatch;
+    if (swells(hole, patch, obstacles.bounds())) return FillFailure::Bulging;
+    if (!options.mayCross && obstacles.hits(patch, progress)) return FillFailure::SelfIntersecting;
     const bool isBent = patch.continuity.value_or(Continuity::Position) != Continuity::Position;
-    if (swells(hole, patch, obstacles.bounds()) || (!isBent && candidates.spansOutside(patch)))
-      return FillFailure::Bulging;
-    return !options.mayCross && obstacles.hits(patch, progress) ? FillFailure::SelfIntersecting : FillFailure::None;
+    return !isBent && candidates.spansOutside(patch) ? FillFailure::Bulging : FillFailure::None;
   }
 
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, const Progress& progress) const;
@@ -153,8 +153,8 @@ FillAttempt HoleFiller::State::propose(const BoundaryLoop& loop, const FillOptio
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     // The first candidates are the slowest: they cut the loop into pieces.
-    const double begin = i > 0 ? 0.5 + 0.5 * double(i) / double(candidates.size()) : 0.0;
-    const Progress span = progress.part(begin, 0.5 + 0.5 * double(i + 1) / double(candidates.size()));
+    const double begin = i > 0 ? 0.5 + 0.4 * double(i) / double(candidates.size()) : 0.0;
+    const Progress span = progress.part(begin, 0.5 + 0.4 * double(i + 1) / double(candidates.size()));
     std::optional<Patch> patch = candidates.make(i, span.part(0.0, 0.7));
     progress.spend(kCandidateEffort * loop.halfEdges.size());
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
@@ -173,10 +173,12 @@ FillAttempt HoleFiller::State::propose(const BoundaryLoop& loop, const FillOptio
     leastBend = std::min(leastBend, bend);
   }
   if (leastBend < kNoBend) {
-    for (Patch& even : candidates.evenVersions(best.patch, progress)) {
-      progress.spend(kJudgeEffort * even.triangles.size());
-      if (judge(hole, candidates, joined, even, options, progress) == FillFailure::None)
-        return {FillFailure::None, std::move(even)};
+    std::vector<Patch> versions = candidates.evenVersions(best.patch, progress.part(0.9, 0.94));
+    for (std::size_t i = 0; i < versions.size(); ++i) {
+      progress.spend(kJudgeEffort * versions[i].triangles.size());
+      const Progress span = progress.part(0.94 + 0.03 * double(i), 0.97 + 0.03 * double(i));
+      if (judge(hole, candidates, joined, versions[i], options, span) == FillFailure::None)
+        return {FillFailure::None, std::move(versions[i])};
     }
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     return best;

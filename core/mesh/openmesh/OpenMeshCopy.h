@@ -31,6 +31,7 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
  public:
   struct Cancelled {};
   static constexpr std::size_t kCallsPerPoll = 1024;
+  static constexpr std::size_t kCallsPerStep = 8;  // of WorkBudget; a call and the work between two take 0.1 µs
 
   void poll(const Progress& progress) { m_progress = progress; }
 
@@ -76,7 +77,7 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
  private:
   void countCall() const {
     if (++m_calls % kCallsPerPoll != 0) return;
-    m_progress.spend(kCallsPerPoll);
+    m_progress.spend(kCallsPerPoll / kCallsPerStep);
     if (m_progress.cancelled()) throw Cancelled();
   }
 

@@ -73,6 +73,30 @@ class MessageBarTest : public QObject {
     QVERIFY(!more->icon().isNull());
   }
 
+  // Once there was time to read what was lost in a document, the answers to what the user does there are seen.
+  void whatWasReadComesFirstNoMore() {
+    QWidget window;
+    MessageBar bar(&window);
+    window.show();
+    const char fixture[] = "a";
+    const auto* const document = reinterpret_cast<const Document*>(fixture);
+    bar.setDocument(document);
+    const auto text = [&bar] { return bar.findChild<QLabel*>("messageText")->text(); };
+    Message loss{Message::Weight::Warning, "material was lost"};
+    loss.comesFirst = true;
+    loss.about = document;
+    bar.showMessage(loss);
+    Message answer{Message::Weight::Warning, "the point is not in the segment"};
+    answer.about = document;
+    bar.showMessage(answer);
+    QVERIFY(text().contains("material was lost"));
+    bar.setReadingTime(0);
+    bar.showMessage(answer);
+    QVERIFY(text().contains("not in the segment"));
+    QVERIFY(!bar.findChild<QPushButton*>("messageMore")->icon().isNull());
+    bar.forget(document);
+  }
+
   // It covers no more of the view than its text needs at its width.
 
   void aLineIsAsHighAsAnotherLine() {

@@ -90,7 +90,8 @@ void BoundaryNeedlesTest::reasonOfAFailure() {
       const FillFailure failure = HoleFiller(mesh).propose(loop, {}).failure;
       QVERIFY(failure == (hasNeedle ? FillFailure::NarrowTriangles : FillFailure::SelfIntersecting));
       loop.isSheetBoundary = true;  // its needles stay in a repair, too
-      QVERIFY(HoleFiller(mesh).propose(loop, {}).failure == FillFailure::SelfIntersecting);
+      const FillFailure ofSheet = HoleFiller(mesh).propose(loop, {}).failure;
+      QVERIFY(ofSheet == FillFailure::SelfIntersecting || (hasNeedle && ofSheet == FillFailure::Bulging));
     }
   }
 }

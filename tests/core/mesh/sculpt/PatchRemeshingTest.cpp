@@ -13,7 +13,7 @@
 #include <rapidcheck.h>
 
 #include <QTest>
-#include <set>
+#include <random>
 
 using namespace handwheel;
 
@@ -64,7 +64,9 @@ class PatchRemeshingTest : public QObject {
 
  private slots:
   void evenLikeItsSurroundings();
+  void coarserThanItWas();
   void anyPatchOfASphere();
+  void anyFacesOfAnyMesh();
   void refusals();
 };
 
@@ -89,6 +91,21 @@ void PatchRemeshingTest::evenLikeItsSurroundings() {
   QCOMPARE(test::countBorder(plate.mesh), test::countBorder(before));
 }
 
+// A patch that was subdivided thrice has 64 times the triangles. Remeshed, it has about as many as equilateral ones
+// with the edges of its outline would be.
+void PatchRemeshingTest::coarserThanItWas() {
+  FanInPlate plate;
+  for (int level = 0; level < 3; ++level) plate.patch = subdivide(plate.mesh, plate.patch).faces;
+  const double area = areaOfFaces(plate.mesh, plate.patch), length = 2.0 * std::sin(M_PI / 24.0);
+  const double wanted = area / (std::sqrt(3.0) / 4.0 * length * length);
+  QVERIFY(static_cast<double>(plate.patch.count()) > 5.0 * wanted);
+  const RemeshedPatch remeshed = remeshToSurroundings(plate.mesh, plate.patch);
+  QVERIFY(remeshed.failure == SubdivisionFailure::None);
+  QCOMPARE(validate(plate.mesh), std::string());
+  const auto count = static_cast<double>(remeshed.faces.count());
+  QVERIFY2(count > 0.7 * wanted && count < 1.5 * wanted, qPrintable(QString::number(count / wanted)));
+}
+
 // The mesh stays valid and closed, or is unchanged, whatever the outline of the patch is.
 void PatchRemeshingTest::anyPatchOfASphere() {
   QVERIFY(rc::check([] {
@@ -109,6 +126,23 @@ void PatchRemeshingTest::anyPatchOfASphere() {
     RC_ASSERT(test::eulerCharacteristic(mesh) == 2l);
     RC_ASSERT((remeshed.failure == SubdivisionFailure::None) != remeshed.faces.empty());
     if (remeshed.failure != SubdivisionFailure::None) RC_ASSERT(mesh.liveFaceCount() == before.liveFaceCount());
+  }));
+}
+
+// Faces that touch at a point, lie upon each other or share an edge by three are refused, not handed to OpenMesh.
+void PatchRemeshingTest::anyFacesOfAnyMesh() {
+  QVERIFY(rc::check([] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    const bool blocks = *rc::gen::arbitrary<bool>();
+    HalfEdgeMesh mesh = buildMesh(blocks ? test::randomBlocks(random, 20, 3) : test::randomSoup(random, 60, 4)).mesh;
+    const unsigned rarity = *rc::gen::inRange(1u, 6u);
+    const auto patch =
+        FaceSelection::where(mesh.faceSlots(), [&](Face f) { return mesh.isLive(f) && random() % rarity == 0; });
+    if (patch.empty()) return;
+    const std::size_t faces = mesh.liveFaceCount();
+    const RemeshedPatch remeshed = remeshToSurroundings(mesh, patch);
+    RC_ASSERT(validate(mesh) == std::string());
+    if (remeshed.failure != SubdivisionFailure::None) RC_ASSERT(mesh.liveFaceCount() == faces);
   }));
 }
 

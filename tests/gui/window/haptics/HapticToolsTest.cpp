@@ -71,6 +71,10 @@ class HapticToolsTest : public QObject {
     fixture.leadTo(0.97 * kRadius * out, 0);
     QTRY_VERIFY(fixture.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
     QSignalSpy led(knobs, &AxisBars::handLed);
+    fixture.driver.window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&fixture.driver.window()));
+    knobs->setFocus();
+    QVERIFY(knobs->hasFocus());
     QTest::keyClick(knobs, Qt::Key_Right);
     QCOMPARE(led.count(), 1);
     QVERIFY(!fixture.driver.find<QAction>("undo")->isEnabled());
