@@ -34,7 +34,7 @@ constexpr int kFlipPasses = 20;
 bool isManifold(const TriangleSoup& patch) {
   bool isManifold = std::none_of(patch.triangles.begin(), patch.triangles.end(), hasRepeatedVertex);
   const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
-  DisjointSets fans(3 * patch.triangles.size());  // of corners, numbered like the half-edges that start there
+  DisjointSets fans(3 * patch.triangles.size());  // sets of corners, which are numbered like half-edges
   const EdgeTable edges(patch.triangles, patch.points.size());
   edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> uses) {
     if (uses.size() == 1) return;

@@ -31,7 +31,8 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
  public:
   struct Cancelled {};
   static constexpr std::size_t kCallsPerPoll = 1024;
-  static constexpr std::size_t kCallsPerStep = 8;  // of WorkBudget; a call and the work between two take 0.1 µs
+  static constexpr std::size_t kCallsPerStep =
+      8;  // calls per step of WorkBudget: each takes about 0.1 µs with the work between
 
   void poll(const Progress& progress) { m_progress = progress; }
 
