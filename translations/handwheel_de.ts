@@ -9138,6 +9138,27 @@
             <numerusform>%n Füllflächen mit einem anderen als dem gewählten Verfahren</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n triangle(s) of second layers removed</source>
+        <translation>
+            <numerusform>%n Dreieck einer zweiten Schicht entfernt</numerusform>
+            <numerusform>%n Dreiecke zweiter Schichten entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>cracks stitched by moving %n vertex(ices)</source>
+        <translation>
+            <numerusform>Risse vernäht, dafür %n Eckpunkt verschoben</numerusform>
+            <numerusform>Risse vernäht, dafür %n Eckpunkte verschoben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>noise smoothed at %n folded vertex(ices)</source>
+        <translation>
+            <numerusform>Rauschen an %n gefalteten Eckpunkt geglättet</numerusform>
+            <numerusform>Rauschen an %n gefalteten Eckpunkten geglättet</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SubmissionTable</name>

@@ -9091,6 +9091,24 @@
             <numerusform>%n 个补片未使用所选方法</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n triangle(s) of second layers removed</source>
+        <translation>
+            <numerusform>已移除 %n 个重叠层三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>cracks stitched by moving %n vertex(ices)</source>
+        <translation>
+            <numerusform>移动 %n 个顶点以缝合裂缝</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>noise smoothed at %n folded vertex(ices)</source>
+        <translation>
+            <numerusform>已在 %n 个折叠顶点处平滑噪声</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SubmissionTable</name>

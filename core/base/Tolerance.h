@@ -24,6 +24,12 @@ inline constexpr double kRaggedOutline = 100.0;
 // A part is debris if its area and its number of faces are less than these fractions of those of the largest part.
 inline constexpr double kDebrisArea = 0.01;
 inline constexpr double kDebrisFaces = 0.01;
+// An open piece with fewer faces is a crumb of a scan, whatever it lies on.
+inline constexpr std::size_t kCrumbFaces = 12;
+// Second layers of a scan are at most this fraction of the diagonal from the first, and the sides of cracks from each
+// other.
+inline constexpr double kLayerReach = 0.006;
+inline constexpr double kCrackReach = 0.006;
 // A face attached to a non-manifold edge is removed as a flap if none of its edges is longer than this.
 inline constexpr double kFlap = 0.01;
 // Vertices on open borders nearer than this count as one vertex that was split by the rounding of the file. A repair

@@ -212,6 +212,12 @@ QStringList repairSummary(const RepairReport& report, LengthUnit unit) {
   add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
   add(report.removedFlaps, [](int n) { return RepairWords::tr("%n dangling triangle(s) removed", nullptr, n); });
   add(report.removedDebris, [](int n) { return RepairWords::tr("%n triangle(s) of debris removed", nullptr, n); });
+  add(report.removedLayers,
+      [](int n) { return RepairWords::tr("%n triangle(s) of second layers removed", nullptr, n); });
+  add(report.stitchedCracks,
+      [](int n) { return RepairWords::tr("cracks stitched by moving %n vertex(ices)", nullptr, n); });
+  add(report.smoothedVertices,
+      [](int n) { return RepairWords::tr("noise smoothed at %n folded vertex(ices)", nullptr, n); });
   add(report.mergedVertices, [](int n) { return RepairWords::tr("%n near vertex(ices) merged", nullptr, n); });
   const auto patches = [&report](Substitute substitute) {
     return static_cast<std::size_t>(

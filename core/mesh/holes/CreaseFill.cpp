@@ -234,7 +234,7 @@ class CreaseFiller {
     }
     if (!made) made = clipEars(piece.hole, m_obstacles, {}, m_progress);
     if (made) made = refinePatch(piece.hole, *made, m_density, joinedIn(piece), m_progress);
-    if (made) made = fairPatch(piece.hole, std::move(*made), m_continuity, m_progress);
+    if (made) made = fairPatch(piece.hole, std::move(*made), m_continuity, {}, m_progress);
     if (!made) return false;
     for (std::size_t i = made->loopSize; i < made->points.size(); ++i) {
       piece.number.push_back(static_cast<std::uint32_t>(m_patch.points.size()));

@@ -136,15 +136,28 @@ std::vector<Continuity> FillCandidates::continuities() const {
 
 void FillCandidates::addRefined(std::optional<Continuity> bent) {
   const auto addFrom = [this, bent](Start& start) {
+    if (bent && !m_options.guides.empty()) m_makers.push_back([this, &start, bent] { return guided(start, *bent); });
     m_makers.push_back([this, &start, bent]() -> Made {
       const Progress whole = std::exchange(m_progress, m_progress.part(0.0, 0.5));
       if (!start.get()) return std::nullopt;
       const Made& even = start.refined([&](const Patch& patch) { return refined(patch, whole.part(0.5, 0.9)); });
-      return even && bent ? fairPatch(m_hole, *even, *bent, whole.part(0.9, 1.0)) : even;
+      return even && bent ? fairPatch(m_hole, *even, *bent, {}, whole.part(0.9, 1.0)) : even;
     });
   };
   if (m_options.bridges.empty()) addFrom(m_flat);
   for (Start& start : m_starts) addFrom(start);
+}
+
+// The energy is that of the shape that the patch has, so it is faired once more when it has been pulled.
+FillCandidates::Made FillCandidates::guided(Start& start, Continuity continuity) {
+  if (!start.get()) return std::nullopt;
+  const Made& even = start.refined([&](const Patch& patch) { return refined(patch, m_progress); });
+  Made faired = even ? fairPatch(m_hole, *even, continuity, {}, m_progress) : std::nullopt;
+  if (!faired) return std::nullopt;
+  const auto held = guidedPoints(m_hole, *faired, m_options.guides);
+  if (held.empty()) return std::nullopt;
+  for (int i = 0; i < 2 && faired; ++i) faired = fairPatch(m_hole, std::move(*faired), continuity, held, m_progress);
+  return faired;
 }
 
 FillCandidates::Made FillCandidates::refined(const Patch& start, Progress progress) const {
@@ -156,7 +169,7 @@ std::vector<Patch> FillCandidates::evenVersions(const Patch& patch, Progress pro
   if (!hasEvenTriangles()) return versions;
   Made even = refined(patch, progress.part(0.0, 0.8));
   if (!even) return versions;
-  if (Made membrane = fairPatch(m_hole, *even, Continuity::Position, progress.part(0.8, 1.0)))
+  if (Made membrane = fairPatch(m_hole, *even, Continuity::Position, {}, progress.part(0.8, 1.0)))
     versions.push_back(*membrane);
   versions.push_back(std::move(*even));
   return versions;

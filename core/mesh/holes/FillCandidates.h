@@ -58,6 +58,7 @@ class FillCandidates {
   std::vector<Continuity> continuities() const;
   void addRefined(std::optional<Continuity> bent);
   Made refined(const Patch& start, Progress progress) const;
+  Made guided(Start& start, Continuity continuity);
   Made flat();
   Made inPieces(FillMethod method);
   Made piece(const HoleContext& hole, FillMethod method, Progress progress) const;

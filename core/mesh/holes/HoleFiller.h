@@ -8,6 +8,7 @@
 #include "mesh/holes/EarClipping.h"
 #include "mesh/holes/Fairing.h"
 #include "mesh/holes/Patch.h"
+#include "mesh/holes/PatchGuides.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 #include "mesh/structure/PositionKey.h"
 
@@ -52,6 +53,7 @@ struct FillOptions {
   // is empty, the bridges of HoleFiller::proposeHoleBridges() are used. With invalid or crossing bridges (splitHole()),
   // no patch is made.
   std::vector<HoleBridge> bridges = {};
+  std::vector<PatchGuide> guides = {};  // points through which Fair patches pass where they agree (guidedPoints())
   // Corners of loops that must stay open. A sheet with such a corner is not thickened, and a folded region with such a
   // corner is not removed.
   std::set<PointKey> keptCorners = {};

@@ -58,7 +58,8 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, do
   return Patch{hole.loopSize, std::move(even->points), std::move(even->triangles), FillMethod::Refined, start.bridges};
 }
 
-std::optional<Patch> fairPatch(const HoleContext& hole, Patch patch, Continuity continuity, Progress progress) {
+std::optional<Patch> fairPatch(const HoleContext& hole, Patch patch, Continuity continuity,
+                               const std::vector<std::pair<std::uint32_t, Vec3>>& held, Progress progress) {
   const std::size_t n = hole.loopSize, known = hole.points.size();
   std::vector<Vec3> points = hole.points;
   points.insert(points.end(), patch.points.begin() + static_cast<std::ptrdiff_t>(n), patch.points.end());
@@ -69,6 +70,10 @@ std::optional<Patch> fairPatch(const HoleContext& hole, Patch patch, Continuity 
   }
   std::vector<bool> isFree(points.size(), false);
   std::fill(isFree.begin() + static_cast<std::ptrdiff_t>(known), isFree.end(), true);
+  for (const auto& [i, position] : held) {
+    points[i - n + known] = position;
+    isFree[i - n + known] = false;
+  }
   if (!fair(points, triangles, isFree, continuity, progress)) return std::nullopt;
   std::copy(points.begin() + static_cast<std::ptrdiff_t>(known), points.end(),
             patch.points.begin() + static_cast<std::ptrdiff_t>(n));

@@ -24,8 +24,9 @@ using JoinedPoints = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, double density = tolerance::kPatchDensity,
                                  const JoinedPoints& joined = {}, Progress progress = {});
 
-// Bends a refined patch by fair(), so that it continues the faces around the hole with this continuity. Returns nothing
-// if there is no such surface, or if cancelled.
-std::optional<Patch> fairPatch(const HoleContext& hole, Patch patch, Continuity continuity, Progress progress = {});
+// Bends a refined patch by fair(), so that it continues the faces around the hole with this continuity. held: points
+// inside the patch with the positions that they get. Returns nothing if there is no such surface, or if cancelled.
+std::optional<Patch> fairPatch(const HoleContext& hole, Patch patch, Continuity continuity,
+                               const std::vector<std::pair<std::uint32_t, Vec3>>& held = {}, Progress progress = {});
 
 }  // namespace handwheel

@@ -22,6 +22,11 @@
 #include "mesh/repair/intersections/IntersectionClusters.h"
 #include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/repair/intersections/SolidUnion.h"
+#include "mesh/repair/solid/CrackStitching.h"
+#include "mesh/repair/solid/DoubleLayers.h"
+#include "mesh/repair/solid/FoldSmoothing.h"
+#include "mesh/repair/solid/ScanCrumbs.h"
+#include "mesh/structure/FaceNormal.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshDelta.h"
@@ -59,6 +64,8 @@ class Repairer {
         m_results(input, progress),
         m_thickness(options.thickness > 0.0 ? options.thickness : defaultSheetThickness(input)),
         m_efforts(input) {
+    if (m_options.goal != RepairGoal::Certain) m_options.cutCrossings = true;
+    if (m_options.goal == RepairGoal::Solid) m_options.sheets = SheetHandling::Fill;
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       const FillFailure reason = reasonToLeave(loop, {loop.id});
       // A folded region around a hole is replaced even if it contains part of an unmarked sheet.
@@ -104,6 +111,8 @@ class Repairer {
       WorkBudget effort(m_efforts.fill.left() / 4, m_efforts.fill);
       joinIslands(progress.part(0.35, 0.37).within(effort));
     }
+    if (m_options.goal == RepairGoal::Solid && !progress.cancelled())
+      m_report.removedDebris += removeGuiding(findLooseSheets(m_mesh, progress.part(0.37, 0.37)));
     if (!progress.cancelled()) fill(progress.part(0.37, 0.55));
     // Solids with a common wall touch there, and would be separated next.
     if (m_options.uniteSolids && m_round == 0 && !progress.cancelled()) {
@@ -127,13 +136,49 @@ class Repairer {
       cutAtDuplicates(progress.part(0.15, 0.2));
     if (!progress.cancelled()) m_report.removedDuplicates += removeDuplicateFaces(m_mesh, progress.part(0.2, 0.35));
     if (!progress.cancelled()) m_report.removedFlaps += removeFlaps(m_mesh, progress.part(0.35, 0.6));
+    if (m_options.goal != RepairGoal::Certain && !progress.cancelled())
+      prepare(progress.part(0.6, 0.65).within(m_efforts.close));
     if (m_options.removeDebris && !progress.cancelled())
-      m_report.removedDebris += removeDebris(m_mesh, progress.part(0.6, 0.7));
+      m_report.removedDebris += removeDebris(m_mesh, progress.part(0.65, 0.7));
     if (!progress.cancelled()) {
       m_report.mergedVertices +=
           stitchBoundaries(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
     }
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
+  }
+
+  // Prepares a scan for the filling of its holes. Fringes are removed after cracks, along which there are none.
+  void prepare(Progress progress) {
+    const double diagonal = modelDiagonal(m_mesh);
+    m_report.removedDebris += removeGuiding(findCrumbs(m_mesh, progress.part(0.0, 0.2)));
+    if (m_round > 0) return;
+    m_report.removedLayers +=
+        remove(findDoubleLayers(m_mesh, tolerance::kLayerReach * diagonal, progress.part(0.2, 0.4)));
+    m_report.stitchedCracks += stitchCracks(m_mesh, tolerance::kCrackReach * diagonal, progress.part(0.4, 0.6)).size();
+    const SmoothedFolds smoothed = smoothFolds(m_mesh, m_options.fill.numbers, progress.part(0.6, 0.8));
+    m_report.smoothedVertices += smoothed.moved.size();
+    m_report.measuredNoise = smoothed.noise;
+    m_report.removedDebris += removeGuiding(findFringes(m_mesh, progress.part(0.8, 0.9)));
+    relink(m_mesh, progress.part(0.9, 0.9));
+    m_report.removedDebris += removeGuiding(findCrumbs(m_mesh, progress.part(0.9, 1.0)));
+  }
+
+  // Removes crumbs and fringes of holes. They tell where the surface was.
+  std::size_t removeGuiding(const std::vector<Face>& faces) {
+    for (const Face f : faces) {
+      const TrianglePoints t = m_mesh.points(f);
+      if (!isClosed(f)) m_options.fill.guides.push_back({(t[0] + t[1] + t[2]) / 3.0, unitNormal(t)});
+    }
+    return remove(faces);
+  }
+
+  bool isClosed(Face f) const {
+    return m_mesh.hasOpposite(3 * f) && m_mesh.hasOpposite(3 * f + 1) && m_mesh.hasOpposite(3 * f + 2);
+  }
+
+  std::size_t remove(const std::vector<Face>& faces) {
+    for (const Face f : faces) m_mesh.removeFace(f);
+    return faces.size();
   }
 
   // Needed only if some half-edges are seams.
@@ -402,6 +447,7 @@ RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress p
   SheetThickness& thickness = report.sheets.thickness;
   thickness.least = scale.fromWork(thickness.least);
   thickness.largest = scale.fromWork(thickness.largest);
+  report.measuredNoise = scale.fromWork(report.measuredNoise);
   for (LoopResult& loop : report.loops) {
     loop.shape.rise = scale.fromWork(loop.shape.rise);
     loop.shape.size = scale.fromWork(loop.shape.size);

@@ -19,7 +19,14 @@ enum class SheetHandling {
   Fill,     // the edges are filled like holes
 };
 
-// Options of repair().
+// The shape that a part shall get.
+enum class RepairGoal {
+  Certain,  // only what is certain is repaired, as the other options say
+  Surface,  // one layer without cracks and crumbs, whose outer boundaries stay open
+  Solid,    // the same, closed: it can be printed
+};
+
+// Options of repair(). A goal that is not Certain includes the other options that it needs.
 struct RepairOptions {
   FillOptions fill;
   double nearWeld = tolerance::kNearWeld;  // fraction of the diagonal; the setting mesh.near_weld
@@ -32,6 +39,7 @@ struct RepairOptions {
   bool replaceFoldedRegions = true;  // last resort to close a hole (replaceFoldedRegions())
   bool cutCrossings = false;         // remove self-intersections of the surface (removeClusterIntersections())
   bool uniteSolids = false;          // unite intersecting solids before self-intersections are removed
+  RepairGoal goal = RepairGoal::Certain;
 
   bool resolvesIntersections() const { return cutCrossings || uniteSolids; }
 };
@@ -68,7 +76,11 @@ struct RepairReport {
   std::size_t removedDegenerate = 0;  // faces without area, and needles along holes
   std::size_t removedDuplicates = 0;
   std::size_t removedFlaps = 0;
-  std::size_t removedDebris = 0;  // faces of debris, and of small closed pieces that the repair itself cut off
+  std::size_t removedDebris = 0;     // faces of debris, and of small closed pieces that the repair itself cut off
+  std::size_t removedLayers = 0;     // faces of second layers of a scan
+  std::size_t stitchedCracks = 0;    // vertices that were moved to stitch cracks
+  std::size_t smoothedVertices = 0;  // vertices that were moved where noise folded the surface
+  double measuredNoise = 0.0;        // mm, there; no vertex was smoothed by more than three times it
   std::size_t reversedFaces = 0;
   std::size_t reversedBodies = 0;  // reversed inside-out bodies; their faces are in reversedFaces
   std::size_t mergedVertices = 0;

@@ -64,10 +64,11 @@ class RepairTest : public QObject {
     const std::vector<std::string> expected{
         "input", "output", "options", "before", "after", "loops", "loop_counts", "removed_degenerate",
         "removed_duplicates", "removed_flaps", "removed_debris", "reoriented_faces", "reoriented_bodies",
-        "sheets_thickened", "sheets_left_open", "sheet_thickness_mm", "merged_vertices", "cut_crossings", "cut_faces",
-        "inner_faces", "replaced_faces", "farthest_removed_vertex", "lost_loops", "non_orientable_cuts",
-        "separated_vertices", "separation_incomplete", "intersection_removal_incomplete", "rounding_moved_mm",
-        "modified_vertices", "unmodified_vertices_identical", "unit", "lost_attributes", "damage", "seconds",
+        "sheets_thickened", "sheets_left_open", "sheet_thickness_mm", "merged_vertices", "removed_layers",
+        "stitched_cracks", "smoothed_vertices", "measured_noise_mm", "cut_crossings", "cut_faces", "inner_faces",
+        "replaced_faces", "farthest_removed_vertex", "lost_loops", "non_orientable_cuts", "separated_vertices",
+        "separation_incomplete", "intersection_removal_incomplete", "rounding_moved_mm", "modified_vertices",
+        "unmodified_vertices_identical", "unit", "lost_attributes", "damage", "seconds",
         // The former keys.
         "turned_faces", "turned_bodies", "removed_part", "one_sided_cuts", "parted_vertices", "parting_cut_short",
         "cutting_cut_short", "touched_vertices", "untouched_vertices_identical"};

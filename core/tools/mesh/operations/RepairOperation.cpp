@@ -13,6 +13,15 @@ namespace {
 
 static_assert(tolerance::kDebrisArea == 0.01 && tolerance::kDebrisFaces == 0.01, "as --remove-debris says");
 
+Parameter goalParameter() {
+  return {.property = {.id = "goal", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().goal)},
+          .meaning =
+              "What the part shall become: a closed solid, a surface whose outer boundaries stay open, or as it "
+              "is but for what is certain",
+          .word = "GOAL",
+          .words = {"certain", "surface", "solid"}};  // in the order of RepairGoal
+}
+
 Parameter openSheetsParameter() {
   return {
       .property = {.id = "open-sheets", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().sheets)},
@@ -32,6 +41,7 @@ const Operation& repairOperation() {
         .meaning = "As 'handwheel repair', but in the number type of the document, and keeping marked loops open",
         .parameters = fillParameters()};
     auto& all = repair.parameters;
+    all.push_back(goalParameter());
     all.push_back(nearWeldParameter(RepairOptions().nearWeld));
     all.push_back(openSheetsParameter());
     all.push_back(thicknessParameter());
@@ -53,6 +63,7 @@ const Operation& repairOperation() {
 RepairOptions repairOptionsOf(const OperationValues& values) {
   RepairOptions options;
   options.fill = fillOptionsOf(values);
+  options.goal = static_cast<RepairGoal>(values.whole("goal"));
   options.nearWeld = values.number("near-weld");
   options.sheets = static_cast<SheetHandling>(values.whole("open-sheets"));
   options.thickness = values.given("thickness").value_or(0.0);
@@ -67,6 +78,7 @@ RepairOptions repairOptionsOf(const OperationValues& values) {
 OperationValues valuesOf(const RepairOptions& options) {
   OperationValues values(repairOperation());
   setFillOptions(values, options.fill);
+  values.setValid("goal", static_cast<double>(options.goal));
   values.setValid("near-weld", options.nearWeld);
   values.setValid("open-sheets", static_cast<double>(options.sheets));
   if (options.thickness > 0.0) values.setValid("thickness", options.thickness);
