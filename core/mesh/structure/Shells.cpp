@@ -3,6 +3,7 @@
 #include "mesh/structure/Shells.h"
 
 #include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/FaceNormal.h"
 #include "mesh/structure/Orientation.h"
 
 #include <unordered_map>
@@ -78,6 +79,12 @@ std::vector<std::vector<Face>> findShells(const HalfEdgeMesh& mesh, Progress pro
 }
 
 // Every face is written once, from what it was before.
+double areaOfShell(const HalfEdgeMesh& mesh, std::span<const Face> shell) {
+  double area = 0.0;
+  for (const Face f : shell) area += areaOf(mesh.points(f));
+  return area;
+}
+
 void reverseShells(HalfEdgeMesh& mesh, std::span<const Face> faces) {
   for (const Face f : faces) {
     std::array<HalfEdge, 3> opposites;

@@ -15,6 +15,9 @@ namespace handwheel {
 // two shells. The result is invalid if cancelled. O(n).
 std::vector<std::vector<Face>> findShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
+// Returns the area of the faces of a shell, mm².
+double areaOfShell(const HalfEdgeMesh& mesh, std::span<const Face> shell);
+
 // Reverses whole shells: all their faces get the opposite orientation, and neighbours stay neighbours.
 void reverseShells(HalfEdgeMesh& mesh, std::span<const Face> faces);
 

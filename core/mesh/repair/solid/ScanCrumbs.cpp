@@ -5,7 +5,6 @@
 #include "base/Tolerance.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/boundary/Islands.h"
-#include "mesh/structure/FaceNormal.h"
 #include "mesh/structure/Shells.h"
 
 #include <algorithm>
@@ -16,12 +15,6 @@ namespace {
 constexpr double kLooseShare = 0.2;                 // largest area of a loose sheet, relative to the largest shell
 constexpr double kRaggedShare = 0.1;                // least share of fringes in a ragged loop
 constexpr std::size_t kMostLoopsWithIslands = 500;  // holes are searched for islands among so many loops
-
-double areaOfShell(const HalfEdgeMesh& mesh, const std::vector<Face>& shell) {
-  double area = 0.0;
-  for (const Face f : shell) area += handwheel::areaOf(mesh.points(f));
-  return area;
-}
 
 // Returns the faces of islands that are large enough to stay.
 FaceSelection largeIslands(const HalfEdgeMesh& mesh, const Progress& progress) {

@@ -60,6 +60,7 @@ class ScanStepsTest : public QObject {
 
  private slots:
   void secondLayersAreFound();
+  void layersThatWereTurnedOver();
   void thinWallsAreNoLayers();
   void cracksAreStitched();
   void whatIsNoCrack();
@@ -81,6 +82,17 @@ void ScanStepsTest::secondLayersAreFound() {
     QCOMPARE(layers.size(), patch.triangles.size());
     for (const Face f : layers) QVERIFY(f >= ball.triangles.size());
     QVERIFY(findDoubleLayers(mesh, 0.5 * std::abs(distance)).empty());
+  }
+}
+
+// A layer whose triangles were turned over is found on either side; its boundary is far from that of the other.
+void ScanStepsTest::layersThatWereTurnedOver() {
+  const TriangleSoup ball = test::withHole(test::icosphere(4), -Vec3::UnitZ(), 0.3);
+  for (const double distance : {0.004, -0.004}) {
+    TriangleSoup soup = ball;
+    const TriangleSoup patch = test::turnedOver(patchOver(test::icosphere(4), Vec3::UnitZ(), 0.5, distance));
+    test::append(soup, patch);
+    QCOMPARE(findDoubleLayers(buildMesh(soup).mesh, 0.011).size(), patch.triangles.size());
   }
 }
 
